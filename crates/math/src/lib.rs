@@ -72,3 +72,8 @@ pub use projection::{
 pub use rotation::{axis_angle, heading_pitch_roll, normalized, to_heading_pitch_roll, turn};
 pub use view::{Basis, unit};
 pub use viewport::{SUB_PIXELS, Viewport};
+
+/// The examples of the README are tests, too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
