@@ -1,0 +1,239 @@
+//! A finished picture, with whatever else of it was asked for.
+//!
+//! It is drawn in bands of rows, so that depth and the sums of samples never take more than a few megabytes,
+//! however large the picture is.
+
+use polosa_raster::{Depth, DepthTest, MAX_SIDE, Sample, Target, TargetError};
+
+use crate::srgb;
+use crate::{Camera, Color, DrawStats, Light, Renderer, Style, World};
+
+/// The most pixels of a band: 16 MiB of depth, and four times that of sums when there are several samples.
+const BAND: usize = 1 << 22;
+
+/// How many samples a pixel has, on a regular grid. They are averaged in linear light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Samples {
+    /// One, at the centre.
+    #[default]
+    One,
+    /// 2 × 2.
+    Four,
+    /// 4 × 4.
+    Sixteen,
+}
+
+impl Samples {
+    /// Samples along a side.
+    const fn side(self) -> u8 {
+        match self {
+            Self::One => 1,
+            Self::Four => 2,
+            Self::Sixteen => 4,
+        }
+    }
+
+    fn grid(self) -> impl Iterator<Item = Sample> {
+        let n = self.side();
+        let place = move |k: u8| 128 / n * (2 * k + 1);
+        (0..n).flat_map(move |y| (0..n).map(move |x| Sample { x: place(x), y: place(y) }))
+    }
+}
+
+/// What to make.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureSettings {
+    /// In pixels, from 1 to 16,384.
+    pub width: u32,
+    /// In pixels, from 1 to 16,384.
+    pub height: u32,
+    /// Behind everything; `None`: nothing, the picture gets an alpha channel.
+    pub background: Option<Color>,
+    /// Samples of each pixel's colour. Distances and ids are taken at the pixel's centre, always.
+    pub samples: Samples,
+    /// Whether to keep the distance at each pixel.
+    pub distances: bool,
+    /// Whether to keep the triangle at each pixel.
+    pub ids: bool,
+}
+
+impl Default for PictureSettings {
+    /// 1024 × 768 on dark grey, one sample, colour alone.
+    fn default() -> Self {
+        Self {
+            width: 1024,
+            height: 768,
+            background: Some(Color::new(0x2b, 0x2b, 0x2b)),
+            samples: Samples::One,
+            distances: false,
+            ids: false,
+        }
+    }
+}
+
+/// A finished picture; rows from top to bottom, without gaps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+    /// Colours, `0x00RRGGBB`, sRGB-encoded. Without a background, what nothing covers is 0.
+    pub pixels: Vec<u32>,
+    /// Without a background: the share of each pixel that is covered, 0 to 255. Colours are not multiplied by
+    /// it (straight alpha).
+    pub alpha: Option<Vec<u8>>,
+    /// Distances along the viewing axis, in the world's units; infinite where nothing is.
+    pub distances: Option<Vec<f32>>,
+    /// Numbers of triangles plus one, as [`Renderer::draw_ids`] counts them; 0 where nothing is.
+    pub ids: Option<Vec<u32>>,
+    /// What became of the triangles and edges, at one sample.
+    pub stats: DrawStats,
+}
+
+impl Picture {
+    /// Draws a world into a new picture.
+    ///
+    /// ```
+    /// use polosa_scene::{Camera, Light, Picture, PictureSettings, Renderer, Style, World};
+    ///
+    /// let settings = PictureSettings { width: 8, height: 6, ..PictureSettings::default() };
+    /// let nothing = Picture::render(
+    ///     &mut Renderer::new(), &World::new(), &Camera::new(), &Light::default(), &Style::default(), &settings,
+    /// )?;
+    /// assert_eq!(nothing.pixels, [0x2b2b2b; 8 * 6]);
+    /// # Ok::<(), polosa_raster::TargetError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// When a side of the picture is 0 or more than 16,384 pixels.
+    pub fn render(
+        renderer: &mut Renderer,
+        world: &World,
+        camera: &Camera,
+        light: &Light,
+        style: &Style,
+        settings: &PictureSettings,
+    ) -> Result<Self, TargetError> {
+        let PictureSettings { width, height, background, .. } = *settings;
+        if [width, height].iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
+            return Err(TargetError::Size { width, height });
+        }
+        let size = width as usize * height as usize;
+        let mut picture = Self {
+            width,
+            height,
+            pixels: vec![background.map_or(0, Color::to_u32); size],
+            alpha: background.is_none().then(|| vec![0; size]),
+            distances: settings.distances.then(|| vec![f32::INFINITY; size]),
+            ids: settings.ids.then(|| vec![0; size]),
+            stats: DrawStats::default(),
+        };
+        let scene = Scene { world, camera, light, style };
+        let rows = (BAND / width as usize).max(1).min(height as usize) as u32;
+        let mut depth = vec![0.0; width as usize * rows as usize];
+        for first in (0..height).step_by(rows as usize) {
+            let band = Band { size: [width, height], rows: first..height.min(first + rows) };
+            band.draw(renderer, &scene, settings, &mut depth, &mut picture)?;
+        }
+        Ok(picture)
+    }
+}
+
+/// What is drawn.
+struct Scene<'a> {
+    world: &'a World,
+    camera: &'a Camera,
+    light: &'a Light,
+    style: &'a Style,
+}
+
+/// Some rows of a picture.
+struct Band {
+    size: [u32; 2],
+    rows: core::ops::Range<u32>,
+}
+
+impl Band {
+    fn pixels(&self) -> core::ops::Range<usize> {
+        let width = self.size[0] as usize;
+        self.rows.start as usize * width..self.rows.end as usize * width
+    }
+
+    fn target<'a>(&self, color: &'a mut [u32], depth: &'a mut [f32]) -> Result<Target<'a, u32>, TargetError> {
+        Target::band(color, Depth::F32(depth), self.size, self.size[0] as usize, self.rows.clone())
+    }
+
+    fn draw(
+        &self,
+        renderer: &mut Renderer,
+        scene: &Scene<'_>,
+        settings: &PictureSettings,
+        depth: &mut [f32],
+        picture: &mut Picture,
+    ) -> Result<(), TargetError> {
+        let at = self.pixels();
+        let depth = &mut depth[..at.len()];
+        let Scene { world, camera, light, style } = *scene;
+        if let Some(ids) = &mut picture.ids {
+            let mut target = self.target(&mut ids[at.clone()], depth)?;
+            target.clear(0, DepthTest::Greater);
+            renderer.draw_ids(world, camera, style, &mut target);
+        }
+        let color = &mut picture.pixels[at.clone()];
+        let clear = settings.background.map_or(0, Color::to_u32);
+        // The centre comes last, so that its depth is there for the distances.
+        let several = settings.samples != Samples::One;
+        let mut sums = vec![[0.0_f32; 4]; if several { at.len() } else { 0 }];
+        let grid = settings.samples.grid().filter(|_| several);
+        let centre = core::iter::once(Sample::CENTER).filter(|_| !several || settings.distances);
+        for (sample, summed) in grid.map(|sample| (sample, true)).chain(centre.map(|sample| (sample, false)))
+        {
+            let mut target = self.target(color, depth)?;
+            target.clear(clear, DepthTest::Greater);
+            picture.stats = renderer.draw(world, camera, light, &Style { sample, ..*style }, &mut target);
+            if summed {
+                add_sample(&mut sums, color, depth, settings.background.is_some());
+            }
+        }
+        if several {
+            resolve(&sums, color);
+        }
+        if let Some(alpha) = &mut picture.alpha {
+            let samples = f32::from(settings.samples.side() * settings.samples.side());
+            for (k, alpha) in alpha[at.clone()].iter_mut().enumerate() {
+                let covered =
+                    if several { sums[k][3] / samples } else { f32::from(u8::from(depth[k] > 0.0)) };
+                *alpha = (covered * 255.0 + 0.5) as u8;
+            }
+        }
+        if let Some(distances) = &mut picture.distances {
+            for (distance, &depth) in distances[at].iter_mut().zip(depth.iter()) {
+                *distance = if depth > 0.0 { camera.distance(depth) as f32 } else { f32::INFINITY };
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Adds the light of one sample, and whether it counts: with a background all do, without one what is covered.
+fn add_sample(sums: &mut [[f32; 4]], color: &[u32], depth: &[f32], background: bool) {
+    for ((sum, &pixel), &depth) in sums.iter_mut().zip(color).zip(depth) {
+        if background || depth > 0.0 {
+            let Color { r, g, b } = Color::from_u32(pixel);
+            for (sum, code) in sum.iter_mut().zip([r, g, b]) {
+                *sum += srgb::decode(code);
+            }
+            sum[3] += 1.0;
+        }
+    }
+}
+
+/// Averages over the samples that count.
+fn resolve(sums: &[[f32; 4]], color: &mut [u32]) {
+    for (pixel, &[r, g, b, count]) in color.iter_mut().zip(sums) {
+        let [r, g, b] = [r, g, b].map(|sum| if count > 0.0 { srgb::encode(sum / count) } else { 0 });
+        *pixel = Color::new(r, g, b).to_u32();
+    }
+}
