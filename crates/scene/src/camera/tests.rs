@@ -196,16 +196,23 @@ fn azimuth_goes_round_to_the_right_and_elevation_rises() {
 #[test]
 fn elevation_goes_over_the_pole_without_a_flip() {
     let focal = DVec3::new(1.0, 2.0, 3.0);
-    let mut camera = Camera::new();
-    camera.set_position(focal + DVec3::new(0.0, 0.0, 10.0)).unwrap();
-    for _ in 0..36 {
-        let (right, up) = (camera.right(), camera.up());
-        camera.elevation(10_f64.to_radians(), focal).unwrap();
-        assert!(close(camera.right(), right, 1e-9));
-        assert!((camera.up().dot(up) - 10_f64.to_radians().cos()).abs() < 1e-9);
+    // Steps that land on the poles exactly, and steps that pass them by.
+    for (step, count) in [(10_f64, 36), (7.2, 50), (100.0, 18)] {
+        let step = step.to_radians();
+        let mut camera = Camera::new();
+        camera.set_position(focal + DVec3::new(0.0, 0.0, 10.0)).unwrap();
+        for _ in 0..count {
+            let (right, up) = (camera.right(), camera.up());
+            camera.elevation(step, focal).unwrap();
+            assert!(close(camera.right(), right, 1e-9));
+            assert!((camera.up().dot(up) - step.cos()).abs() < 1e-9);
+        }
+        assert!(close(camera.position(), focal + DVec3::new(0.0, 0.0, 10.0), 1e-9));
+        assert!(close(camera.up(), DVec3::Y, 1e-9));
     }
-    assert!(close(camera.position(), focal + DVec3::new(0.0, 0.0, 10.0), 1e-9));
-    assert!(close(camera.up(), DVec3::Y, 1e-9));
+    let mut camera = Camera::new();
+    camera.elevation(2.0, focal).unwrap();
+    assert_eq!(camera.view_up(), DVec3::NEG_Y, "standing on its head");
 }
 
 /// The greatest |x/w| and |y/w| of the box's corners, and whether all lie between near and far.
