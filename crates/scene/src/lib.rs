@@ -24,4 +24,5 @@ pub use stats::DrawStats;
 mod style;
 pub use style::Style;
 mod outline;
+pub mod import;
 pub mod topology;
