@@ -1,0 +1,358 @@
+//! The values of options: texts become what they mean, or an error that shows how it is written.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use clap::builder::{OsStringValueParser, TypedValueParser};
+use polosa_math::glam::DVec3;
+use polosa_scene::{Color, Samples, Shading, Shape};
+
+use crate::output::Destination;
+
+/// What is drawn or told about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ModelArg {
+    /// A file.
+    File(PathBuf),
+    /// Standard input.
+    Stdin,
+    /// A standard shape.
+    Shape(Shape),
+}
+
+impl ModelArg {
+    /// The parser for clap; names of files may be any bytes that the system allows.
+    pub fn parser() -> impl TypedValueParser<Value = Self> {
+        OsStringValueParser::new().try_map(Self::parse)
+    }
+
+    fn parse(text: OsString) -> Result<Self, String> {
+        match text.to_str() {
+            Some("-") => Ok(Self::Stdin),
+            Some("") => Err("an empty name: name a file, `-` or a shape such as shape:teapot".to_owned()),
+            Some(name) if name.starts_with("shape:") => {
+                name["shape:".len()..].parse().map(Self::Shape).map_err(|error| error.to_string())
+            }
+            _ => Ok(Self::File(text.into())),
+        }
+    }
+
+    /// The name in messages: what was written on the command line.
+    #[must_use]
+    pub fn name(&self) -> PathBuf {
+        match self {
+            Self::File(path) => path.clone(),
+            Self::Stdin => "standard input".into(),
+            Self::Shape(shape) => format!("shape:{shape}").into(),
+        }
+    }
+
+    /// What `{stem}` stands for.
+    #[must_use]
+    pub fn stem(&self) -> OsString {
+        match self {
+            Self::File(path) => path.file_stem().unwrap_or_default().to_owned(),
+            Self::Stdin => "stdin".into(),
+            Self::Shape(shape) => shape.to_string().replace(':', "-").into(),
+        }
+    }
+}
+
+/// Where an output goes, `{stem}` still in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputArg(PathBuf);
+
+impl OutputArg {
+    /// The parser for clap.
+    pub fn parser() -> impl TypedValueParser<Value = Self> {
+        OsStringValueParser::new().try_map(|text| {
+            if text.is_empty() {
+                Err("an empty name: name a file, or `-` for standard output")
+            } else {
+                Ok(Self(text.into()))
+            }
+        })
+    }
+
+    /// As it was written.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// Whether it is standard output.
+    #[must_use]
+    pub fn is_stdout(&self) -> bool {
+        self.0.as_os_str() == "-"
+    }
+
+    /// Whether it has a place for the model's name.
+    #[must_use]
+    pub fn has_stem(&self) -> bool {
+        self.0.to_str().is_some_and(|text| text.contains(STEM))
+    }
+
+    /// The output for a model of this name.
+    #[must_use]
+    pub fn with_stem(&self, stem: &OsString) -> Destination {
+        if self.is_stdout() {
+            return Destination::Stdout;
+        }
+        let Some(mut pieces) = self.0.to_str().map(|text| text.split(STEM)) else {
+            return Destination::File(self.0.clone());
+        };
+        let mut name = OsString::from(pieces.next().unwrap_or_default());
+        for piece in pieces {
+            name.push(stem);
+            name.push(piece);
+        }
+        Destination::File(name.into())
+    }
+}
+
+/// The place for the model's name in an output's.
+pub const STEM: &str = "{stem}";
+
+/// Three numbers, `X,Y,Z`.
+pub fn vector(text: &str) -> Result<DVec3, String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, z]) if x.is_finite() && y.is_finite() && z.is_finite() => Ok(DVec3::new(x, y, z)),
+        _ => Err("write three finite numbers, X,Y,Z, such as 1,0.7,-2".to_owned()),
+    }
+}
+
+/// Three numbers of which one is not 0: a direction of any length.
+pub fn direction(text: &str) -> Result<DVec3, String> {
+    let vector = vector(text)?;
+    if vector == DVec3::ZERO {
+        return Err("0,0,0 is no direction: at least one number must not be 0".to_owned());
+    }
+    Ok(vector)
+}
+
+/// A finite number.
+pub fn number(text: &str) -> Result<f64, String> {
+    let finite = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    finite.ok_or_else(|| "write a finite number".to_owned())
+}
+
+/// An angle of view in degrees, in (0, 180).
+pub fn view_angle(text: &str) -> Result<f64, String> {
+    let inside = number(text).ok().filter(|angle| 0.0 < *angle && *angle < 180.0);
+    inside.ok_or_else(|| "write degrees, more than 0 and less than 180".to_owned())
+}
+
+/// A length, more than 0.
+pub fn length(text: &str) -> Result<f64, String> {
+    let positive = number(text).ok().filter(|length| *length > 0.0);
+    positive.ok_or_else(|| "write a length in world units, more than 0".to_owned())
+}
+
+/// A share, 0 to 1.
+pub fn share(text: &str) -> Result<f32, String> {
+    let share = text.trim().parse().ok().filter(|share: &f32| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "write a number from 0 to 1".to_owned())
+}
+
+/// Width and height of a picture, not yet held against what is possible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Resolution {
+    /// Pixels from left to right.
+    pub width: u64,
+    /// Pixels from top to bottom.
+    pub height: u64,
+}
+
+/// Two whole numbers, `W,H` or `WxH`.
+pub fn resolution(text: &str) -> Result<Resolution, String> {
+    let side = |text: &str| {
+        let text = text.trim();
+        let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        // More digits than a number has room for are far too many pixels, not a wrong notation.
+        digits.then(|| text.parse().unwrap_or(u64::MAX))
+    };
+    let sides = text.split_once([',', 'x']).map(|(width, height)| (side(width), side(height)));
+    match sides {
+        Some((Some(width), Some(height))) => Ok(Resolution { width, height }),
+        _ => Err("write width and height in pixels, W,H, such as 1920,1080".to_owned()),
+    }
+}
+
+/// A background: a colour, or nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Background {
+    /// Transparent.
+    Nothing,
+    /// Filled.
+    Color(Color),
+}
+
+/// A colour, or `none`.
+pub fn background(text: &str) -> Result<Background, String> {
+    if text.eq_ignore_ascii_case("none") {
+        return Ok(Background::Nothing);
+    }
+    text.parse().map(Background::Color).map_err(|error| format!("{error}, or none for a transparent picture"))
+}
+
+/// The number of samples of a pixel.
+pub fn samples(text: &str) -> Result<Samples, String> {
+    match text.trim() {
+        "1" => Ok(Samples::One),
+        "4" => Ok(Samples::Four),
+        "16" => Ok(Samples::Sixteen),
+        _ => Err("a pixel has 1, 4 or 16 samples".to_owned()),
+    }
+}
+
+/// Which axis of the world points upward.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// +X.
+    PlusX,
+    /// −X.
+    MinusX,
+    /// +Y: OBJ, PLY, glTF and the standard shapes.
+    PlusY,
+    /// −Y.
+    MinusY,
+    /// +Z: STL, as printers and CAD have it.
+    PlusZ,
+    /// −Z.
+    MinusZ,
+}
+
+impl Up {
+    /// The axis itself.
+    #[must_use]
+    pub fn axis(self) -> DVec3 {
+        self.turned(DVec3::Y)
+    }
+
+    /// A vector that is given for +Y upward, for this axis upward: turned by a quarter or half a turn, so that no
+    /// number changes but in place and sign.
+    #[must_use]
+    pub fn turned(self, v: DVec3) -> DVec3 {
+        let DVec3 { x, y, z } = v;
+        match self {
+            Self::PlusY => v,
+            Self::MinusY => DVec3::new(x, -y, -z),
+            Self::PlusZ => DVec3::new(x, -z, y),
+            Self::MinusZ => DVec3::new(x, z, -y),
+            Self::PlusX => DVec3::new(y, -x, z),
+            Self::MinusX => DVec3::new(-y, x, z),
+        }
+    }
+}
+
+/// An axis: `+Y`, `-Z`, `X`, …
+pub fn up(text: &str) -> Result<Up, String> {
+    match text.to_ascii_uppercase().as_str() {
+        "X" | "+X" => Ok(Up::PlusX),
+        "-X" => Ok(Up::MinusX),
+        "Y" | "+Y" => Ok(Up::PlusY),
+        "-Y" => Ok(Up::MinusY),
+        "Z" | "+Z" => Ok(Up::PlusZ),
+        "-Z" => Ok(Up::MinusZ),
+        _ => Err("write an axis: +X, -X, +Y, -Y, +Z or -Z".to_owned()),
+    }
+}
+
+/// How surfaces are shaded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ShadingArg {
+    /// Not at all: colours are written as the file has them
+    Unlit,
+    /// Each triangle by its own plane
+    Flat,
+}
+
+impl From<ShadingArg> for Shading {
+    fn from(arg: ShadingArg) -> Self {
+        match arg {
+            ShadingArg::Unlit => Self::Unlit,
+            ShadingArg::Flat => Self::Flat,
+        }
+    }
+}
+
+/// Which sides of surfaces are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CullArg {
+    /// None: both sides are drawn
+    None,
+    /// Those that face away from the viewer
+    Back,
+    /// Those that face the viewer
+    Front,
+}
+
+impl From<CullArg> for polosa_raster::Cull {
+    fn from(arg: CullArg) -> Self {
+        match arg {
+            CullArg::None => Self::None,
+            CullArg::Back => Self::Back,
+            CullArg::Front => Self::Front,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::OsString;
+    use std::path::PathBuf;
+
+    use polosa_math::glam::DVec3;
+
+    use super::{ModelArg, OutputArg, Resolution, Up, direction, length, resolution, up, vector, view_angle};
+    use crate::output::Destination;
+
+    #[test]
+    fn texts_become_values_or_say_how_they_are_written() {
+        assert_eq!(vector(" -1, 2.5,1e3 "), Ok(DVec3::new(-1.0, 2.5, 1000.0)));
+        for text in ["", "1,2", "1,2,3,4", "1,2,x", "nan,0,0", "inf,0,0", "1;2;3"] {
+            assert!(vector(text).unwrap_err().contains("X,Y,Z"), "{text}");
+        }
+        assert!(direction("0,-0,0").is_err());
+        assert_eq!(resolution("640x480"), Ok(Resolution { width: 640, height: 480 }));
+        assert_eq!(resolution("1,99999999999999999999999").map(|r| r.height), Ok(u64::MAX));
+        for text in ["640", "640,", "-1,5", "+1,5", "1.5,2", "1,2,3"] {
+            assert!(resolution(text).unwrap_err().contains("W,H"), "{text}");
+        }
+        assert!(view_angle("0").is_err() && view_angle("180").is_err() && view_angle("179.9").is_ok());
+        assert!(length("0").is_err() && length("-1").is_err() && length("1e-9").is_ok());
+    }
+
+    #[test]
+    fn every_axis_can_be_up_and_turns_keep_handedness() {
+        let axes = [
+            ("+X", DVec3::X),
+            ("-x", -DVec3::X),
+            ("Y", DVec3::Y),
+            ("-Y", -DVec3::Y),
+            ("z", DVec3::Z),
+            ("-Z", -DVec3::Z),
+        ];
+        for (text, axis) in axes {
+            let up: Up = up(text).unwrap();
+            assert_eq!(up.axis(), axis, "{text}");
+            let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|v| up.turned(v));
+            assert_eq!(x.cross(y), z, "{text}");
+        }
+        assert!(up("+W").is_err());
+    }
+
+    #[test]
+    fn stems_name_models() {
+        let stem = |text: &str| ModelArg::parse(text.into()).unwrap().stem();
+        assert_eq!(stem("a/b.c.obj"), "b.c");
+        assert_eq!(stem("-"), "stdin");
+        assert_eq!(stem("shape:sphere:3"), "sphere-octahedron-3");
+        let output = OutputArg("out/{stem}-{stem}.png".into());
+        assert!(output.has_stem());
+        assert_eq!(output.with_stem(&OsString::from("x")), Destination::File(PathBuf::from("out/x-x.png")));
+        assert_eq!(OutputArg("-".into()).with_stem(&OsString::from("x")), Destination::Stdout);
+    }
+}

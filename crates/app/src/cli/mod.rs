@@ -1,0 +1,99 @@
+//! The command line: one file a command.
+//!
+//! ```text
+//!   args ─▶ values ─▶ load ─▶ view ─▶ Picture::render ─▶ encode ─▶ output
+//!          (args.rs)  models   camera      (scene)                  rename
+//! ```
+//!
+//! Exit status: 0 when all is done, 1 when something was not, 2 for wrong usage. Every failure is one line on
+//! standard error.
+
+pub mod args;
+mod info;
+mod job;
+mod load;
+mod progress;
+mod render;
+mod render_args;
+mod report;
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Error;
+use crate::guard;
+
+/// 3D pictures without a GPU: exact, and the same bytes on every machine.
+///
+/// Without a command: draws a built-in scene to polosa.png in the current folder.
+#[derive(Debug, Parser)]
+#[command(name = "polosa", version, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  polosa                                    a built-in scene, to ./polosa.png
+  polosa render bunny.obj -o bunny.png      a model's picture
+  polosa render shape:teapot -o teapot.png  a standard shape
+  polosa info bunny.obj                     counts, bounds, materials, holes
+  polosa render --help                      all options, all shapes";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Render(Box<render_args::RenderArgs>),
+    Info(info::InfoArgs),
+}
+
+/// Does what the arguments, the program's name first, ask for; the program's exit status.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Nobody may be listening any more; there is no one else to tell.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    guard::silence_panics();
+    let done = match cli.command {
+        Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Info(args)) => info::run(&args),
+        None => guard::caught(Path::new(crate::demo::FILE), demo),
+    };
+    match done {
+        Ok(status) => status,
+        Err(error) => {
+            complain(&error);
+            ExitCode::from(error.exit_status())
+        }
+    }
+}
+
+/// The command of no arguments.
+fn demo() -> Result<ExitCode, Error> {
+    let path = crate::demo::write(Path::new(crate::demo::FILE))?;
+    tell(&format!("{}\n", path.display()), false);
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints an error's line.
+fn complain(error: &Error) {
+    tell(&format!("polosa: {error}\n"), true);
+}
+
+/// Prints a report. That its reader has gone away is no failure.
+fn tell(text: &str, to_stderr: bool) {
+    let _ = if to_stderr {
+        io::stderr().write_all(text.as_bytes())
+    } else {
+        let mut out = io::stdout().lock();
+        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+    };
+}

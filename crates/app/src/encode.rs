@@ -1,0 +1,226 @@
+//! Pictures as files: the format from the extension, the bytes row by row.
+//!
+//! PNG goes through the `png` crate directly, so that rows are made, filtered, compressed and written one at a
+//! time and the picture never exists twice. The other formats are those that `image` writes without a library of
+//! its own; they are put together in memory first.
+//!
+//! The same picture gives the same bytes, always: no time stamps, no threads, fixed settings.
+
+use std::ffi::OsStr;
+use std::fmt;
+use std::io::{self, Write};
+use std::path::Path;
+
+use image::codecs::{bmp, jpeg, pnm, qoi, tga};
+use image::{ExtendedColorType, ImageEncoder as _};
+use polosa_scene::Picture;
+
+/// The quality of JPEG files, of 100: edges of flat areas stay clean at this one.
+const JPEG_QUALITY: u8 = 95;
+
+/// A picture format that can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ImageFormat {
+    /// PNG, 24 bits, 32 with transparency.
+    Png,
+    /// Windows bitmap.
+    Bmp,
+    /// Truevision TGA, run-length encoded.
+    Tga,
+    /// Quite OK Image.
+    Qoi,
+    /// Portable pixmap, binary (P6). No transparency.
+    Ppm,
+    /// JPEG. No transparency, and not the exact colours.
+    Jpeg,
+}
+
+/// A file name whose extension names no [`ImageFormat`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownFormat(Option<String>);
+
+impl fmt::Display for UnknownFormat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some(extension) => write!(f, "no picture format has the extension .{extension}")?,
+            None => f.write_str("the name has no extension that says which picture format it is")?,
+        }
+        let known: Vec<String> =
+            ImageFormat::ALL.iter().flat_map(|format| format.extensions()).map(|e| format!(".{e}")).collect();
+        write!(f, ": use {}", known.join(", "))
+    }
+}
+
+impl std::error::Error for UnknownFormat {}
+
+impl ImageFormat {
+    /// All formats.
+    pub const ALL: [Self; 6] = [Self::Png, Self::Bmp, Self::Tga, Self::Qoi, Self::Ppm, Self::Jpeg];
+
+    /// The extensions that name the format, in lower case.
+    #[must_use]
+    pub const fn extensions(self) -> &'static [&'static str] {
+        match self {
+            Self::Png => &["png"],
+            Self::Bmp => &["bmp"],
+            Self::Tga => &["tga"],
+            Self::Qoi => &["qoi"],
+            Self::Ppm => &["ppm", "pnm"],
+            Self::Jpeg => &["jpg", "jpeg"],
+        }
+    }
+
+    /// The format that a file's extension names, upper or lower case.
+    ///
+    /// # Errors
+    ///
+    /// When it names none; the error lists all.
+    pub fn from_path(path: &Path) -> Result<Self, UnknownFormat> {
+        let Some(extension) = path.extension().map(OsStr::to_string_lossy) else {
+            return Err(UnknownFormat(None));
+        };
+        Self::ALL
+            .into_iter()
+            .find(|format| format.extensions().iter().any(|known| known.eq_ignore_ascii_case(&extension)))
+            .ok_or_else(|| UnknownFormat(Some(crate::error::one_line(&extension))))
+    }
+
+    /// Whether the format keeps transparency.
+    #[must_use]
+    pub const fn has_alpha(self) -> bool {
+        matches!(self, Self::Png | Self::Bmp | Self::Tga | Self::Qoi)
+    }
+
+    /// Whether the format keeps every colour as it is.
+    #[must_use]
+    pub const fn is_lossless(self) -> bool {
+        !matches!(self, Self::Jpeg)
+    }
+}
+
+/// Writes a picture's colours, with its alpha channel if it has one and the format too.
+///
+/// # Errors
+///
+/// What `out` reports.
+pub fn write_picture(out: &mut dyn Write, format: ImageFormat, picture: &Picture) -> io::Result<()> {
+    let Picture { width, height, pixels, .. } = picture;
+    let w = *width as usize;
+    match picture.alpha.as_ref().filter(|_| format.has_alpha()) {
+        None => {
+            encode(out, format, [*width, *height], Bytes::Color, |y, row| put_rgb(&pixels[y * w..][..w], row))
+        }
+        Some(alpha) => encode(out, format, [*width, *height], Bytes::ColorAlpha, |y, row| {
+            let pixels = pixels[y * w..][..w].iter().zip(&alpha[y * w..][..w]);
+            for (rgba, (pixel, alpha)) in row.chunks_exact_mut(4).zip(pixels) {
+                let [_, r, g, b] = pixel.to_be_bytes();
+                rgba.copy_from_slice(&[r, g, b, *alpha]);
+            }
+        }),
+    }
+}
+
+/// Writes `width` × `height` numbers below 2²⁴ as colours, `0xRRGGBB`: the picture of
+/// [`Picture::ids`], from which a program reads back which triangle is seen where.
+///
+/// # Errors
+///
+/// What `out` reports; [`io::ErrorKind::InvalidInput`] for a wrong number of values or a format that does not keep
+/// them.
+pub fn write_ids(
+    out: &mut dyn Write,
+    format: ImageFormat,
+    width: u32,
+    height: u32,
+    ids: &[u32],
+) -> io::Result<()> {
+    let w = width as usize;
+    if w.checked_mul(height as usize) != Some(ids.len()) || !format.is_lossless() {
+        let message = format!("{} numbers for {width}×{height} pixels of {format:?}", ids.len());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+    }
+    encode(out, format, [width, height], Bytes::Numbers, |y, row| put_rgb(&ids[y * w..][..w], row))
+}
+
+fn put_rgb(pixels: &[u32], row: &mut [u8]) {
+    for (rgb, pixel) in row.chunks_exact_mut(3).zip(pixels) {
+        let [_, r, g, b] = pixel.to_be_bytes();
+        rgb.copy_from_slice(&[r, g, b]);
+    }
+}
+
+/// What the bytes of a row are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bytes {
+    /// Red, green, blue.
+    Color,
+    /// Red, green, blue, alpha.
+    ColorAlpha,
+    /// As [`Bytes::Color`], but not to be looked at: nothing in the file says sRGB.
+    Numbers,
+}
+
+/// Writes a picture whose row `y` is filled in by `fill(y, row)`.
+fn encode(
+    out: &mut dyn Write,
+    format: ImageFormat,
+    size: [u32; 2],
+    bytes: Bytes,
+    fill: impl Fn(usize, &mut [u8]),
+) -> io::Result<()> {
+    let [width, height] = size;
+    let per_pixel = if bytes == Bytes::ColorAlpha { 4 } else { 3 };
+    let stride = per_pixel * width as usize;
+    if format == ImageFormat::Png {
+        return encode_png(out, size, bytes, stride, fill);
+    }
+
+    let mut data = vec![0; stride * height as usize];
+    for (y, row) in data.chunks_exact_mut(stride).enumerate() {
+        fill(y, row);
+    }
+    let color = if per_pixel == 4 { ExtendedColorType::Rgba8 } else { ExtendedColorType::Rgb8 };
+    let written = match format {
+        ImageFormat::Bmp => bmp::BmpEncoder::new(&mut &mut *out).write_image(&data, width, height, color),
+        ImageFormat::Tga => tga::TgaEncoder::new(out).write_image(&data, width, height, color),
+        ImageFormat::Qoi => qoi::QoiEncoder::new(out).write_image(&data, width, height, color),
+        ImageFormat::Png | ImageFormat::Ppm => pnm::PnmEncoder::new(out)
+            .with_subtype(pnm::PnmSubtype::Pixmap(pnm::SampleEncoding::Binary))
+            .write_image(&data, width, height, color),
+        ImageFormat::Jpeg => {
+            jpeg::JpegEncoder::new_with_quality(out, JPEG_QUALITY).write_image(&data, width, height, color)
+        }
+    };
+    written.map_err(|error| match error {
+        image::ImageError::IoError(error) => error,
+        other => io::Error::other(other),
+    })
+}
+
+fn encode_png(
+    out: &mut dyn Write,
+    [width, height]: [u32; 2],
+    bytes: Bytes,
+    stride: usize,
+    fill: impl Fn(usize, &mut [u8]),
+) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, width, height);
+    encoder.set_color(if bytes == Bytes::ColorAlpha { png::ColorType::Rgba } else { png::ColorType::Rgb });
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Up);
+    if bytes != Bytes::Numbers {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
+    let mut writer = encoder.write_header()?;
+    let mut rows = writer.stream_writer_with_size(1 << 16)?;
+    let mut row = vec![0; stride];
+    for y in 0..height as usize {
+        fill(y, &mut row);
+        rows.write_all(&row)?;
+    }
+    rows.finish()?;
+    writer.finish()?;
+    Ok(())
+}

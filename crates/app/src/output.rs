@@ -1,0 +1,228 @@
+//! Files that are there as a whole or not at all.
+//!
+//! A picture is written to a temporary file in the same folder and renamed when it is complete, so that nobody
+//! ever sees half a picture, and a failure leaves the old one as it was. What is no regular file (`/dev/null`, a
+//! pipe, a terminal) cannot be replaced and is written directly.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::error::Error;
+
+/// Bytes that are collected before the system is asked to write them.
+const BUFFER: usize = 1 << 16;
+
+/// Where a picture goes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Destination {
+    /// Standard output.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Destination {
+    /// The name in messages.
+    #[must_use]
+    pub fn name(&self) -> &Path {
+        match self {
+            Self::Stdout => Path::new("standard output"),
+            Self::File(path) => path,
+        }
+    }
+
+    /// Finds out, before any work is done, what would prevent writing: no such folder, a folder in its place, a
+    /// file that is write-protected.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`].
+    pub fn check(&self) -> Result<(), Error> {
+        let Self::File(path) = self else { return Ok(()) };
+        let refuse = |kind: io::ErrorKind| Err(Error::write(path, kind.into()));
+        match fs::metadata(path) {
+            Ok(found) if found.is_dir() => return refuse(io::ErrorKind::IsADirectory),
+            // Renaming would replace it all the same; whoever protected it wants it kept.
+            Ok(found) if found.is_file() && found.permissions().readonly() => {
+                return Err(Error::file(path, "is write-protected: choose another name, or allow writing"));
+            }
+            Ok(_) => return Ok(()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => return Err(Error::write(path, error)),
+        }
+        match fs::metadata(folder(path)) {
+            Ok(found) if found.is_dir() => Ok(()),
+            Ok(_) => refuse(io::ErrorKind::NotADirectory),
+            Err(error) => Err(Error::write(path, error)),
+        }
+    }
+
+    /// Opens it for writing.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`].
+    pub fn create(&self) -> Result<Output, Error> {
+        let sink = match self {
+            Self::Stdout => Ok(Sink::Stdout(io::stdout())),
+            Self::File(path) => open(path),
+        };
+        match sink {
+            Ok(sink) => {
+                Ok(Output { name: self.name().to_owned(), writer: BufWriter::with_capacity(BUFFER, sink) })
+            }
+            Err(error) => Err(Error::write(self.name(), error)),
+        }
+    }
+}
+
+/// A file in the making. Dropped without [`commit`](Self::commit), it leaves nothing behind.
+#[derive(Debug)]
+pub struct Output {
+    name: PathBuf,
+    writer: BufWriter<Sink>,
+}
+
+#[derive(Debug)]
+enum Sink {
+    Stdout(io::Stdout),
+    Direct(File),
+    Temporary(NamedTempFile, PathBuf),
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Stdout(out) => out.write(bytes),
+            Self::Direct(out) => out.write(bytes),
+            Self::Temporary(out, _) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Stdout(out) => out.flush(),
+            Self::Direct(out) => out.flush(),
+            Self::Temporary(out, _) => out.flush(),
+        }
+    }
+}
+
+impl Output {
+    /// Has `write` write the content.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`] with what `write` or the system reported.
+    pub fn fill(&mut self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+        write(&mut self.writer)
+            .and_then(|()| self.writer.flush())
+            .map_err(|error| Error::write(&self.name, error))
+    }
+
+    /// Gives the complete file its name.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`]; then what had the name before is still there.
+    pub fn commit(self) -> Result<(), Error> {
+        let sink = self.writer.into_inner().map_err(|error| Error::write(&self.name, error.into_error()))?;
+        match sink {
+            Sink::Stdout(_) | Sink::Direct(_) => Ok(()),
+            Sink::Temporary(file, target) => {
+                file.persist(target).map(drop).map_err(|error| Error::write(&self.name, error.error))
+            }
+        }
+    }
+}
+
+fn open(path: &Path) -> io::Result<Sink> {
+    // A link is followed: what it points to is replaced, not the link.
+    let target = match fs::canonicalize(path) {
+        Ok(target) => target,
+        Err(_) => path.to_owned(),
+    };
+    let found = fs::metadata(&target).ok();
+    if found.as_ref().is_some_and(|found| !found.is_file()) {
+        return Ok(Sink::Direct(File::options().write(true).open(&target)?));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".polosa-").suffix(".tmp");
+    #[cfg(unix)]
+    let normal = {
+        use std::os::unix::fs::PermissionsExt as _;
+        // What any new file asks for; the system takes away what the user's mask forbids.
+        fs::Permissions::from_mode(0o666)
+    };
+    #[cfg(unix)]
+    builder.permissions(normal);
+    let file = builder.tempfile_in(folder(&target))?;
+    if let Some(found) = found {
+        // A file that is written anew keeps its permissions. Where the system does not allow that, it has those of
+        // a new file, which is no reason to fail.
+        let _ = file.as_file().set_permissions(found.permissions());
+    }
+    Ok(Sink::Temporary(file, target))
+}
+
+/// The folder that a file is in.
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::Destination;
+
+    #[test]
+    fn a_file_appears_only_when_it_is_complete() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.png");
+        let to = Destination::File(path.clone());
+
+        let mut output = to.create().unwrap();
+        output.fill(|out| out.write_all(b"half")).unwrap();
+        assert!(!path.exists());
+        drop(output);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "nothing may be left behind");
+
+        let mut output = to.create().unwrap();
+        output.fill(|out| out.write_all(b"whole")).unwrap();
+        output.commit().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"whole");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_followed_and_permissions_stay() {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+
+        let folder = tempfile::tempdir().unwrap();
+        let (real, link) = (folder.path().join("real.png"), folder.path().join("link.png"));
+        fs::write(&real, b"old").unwrap();
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink(&real, &link).unwrap();
+
+        let mut output = Destination::File(link.clone()).create().unwrap();
+        output.fill(|out| out.write_all(b"new")).unwrap();
+        output.commit().unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&real).unwrap(), b"new");
+        assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+
+    #[test]
+    fn what_prevents_writing_is_found_before_the_work() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, substance) in [("", "is a folder"), ("none/x.png", "no such folder")] {
+            let error = Destination::File(folder.path().join(name)).check().unwrap_err();
+            assert!(error.to_string().contains(substance), "{error}");
+        }
+    }
+}
