@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use polosa_math::{
     Bounds, Placement, Planes,
-    glam::{DMat4, DVec3, DVec4},
+    glam::{DMat4, DVec2, DVec3, DVec4},
 };
 use proptest::prelude::*;
 
@@ -314,5 +314,28 @@ proptest! {
         let point = ray.origin + ray.direction * ((further + along) / axis);
         let at = camera.project_point(point, 640, 480).unwrap();
         prop_assert!((at.x - x).abs() < 1e-8 && (at.y - y).abs() < 1e-8, "{at:?}");
+    }
+}
+
+#[test]
+fn framed_points_touch_the_margin_on_opposite_sides() {
+    let points =
+        (0..40).map(|k| DVec3::new(f64::from(k % 7) * 3.0, f64::from(k % 5), f64::from(k % 11) * 2.0 - 5.0));
+    for projection in
+        [Camera::new().projection(), Projection::Orthographic { height: 1.0, near: 0.1, far: 9.0 }]
+    {
+        for to_eye in [DVec3::new(1.0, 0.7, 1.0), DVec3::Z, DVec3::new(-3.0, 0.2, 0.1)] {
+            let mut camera = Camera::new();
+            camera.set_projection(projection).unwrap();
+            camera.frame_points(points.clone(), to_eye, DVec3::Y, 0.05).unwrap();
+            let seen = points.clone().map(|point| {
+                let clip = camera.view_projection() * point.extend(1.0);
+                clip.truncate().truncate() / clip.w
+            });
+            let (low, high) = seen.fold((DVec2::MAX, DVec2::MIN), |(low, high), p| (low.min(p), high.max(p)));
+            assert!(low.min_element() > -0.9 - 1e-9 && high.max_element() < 0.9 + 1e-9, "{low} {high}");
+            let touches = |k: usize| low[k] < -0.9 + 1e-9 && high[k] > 0.9 - 1e-9;
+            assert!(touches(0) || touches(1), "{low} {high}");
+        }
     }
 }
