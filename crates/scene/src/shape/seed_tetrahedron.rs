@@ -14,7 +14,8 @@ pub(super) fn count(level: u32) -> Result<u64, ShapeError> {
 /// on which its corners lie (0: the tetrahedron itself; n: 4ⁿ⁺¹ triangles in the colours of their faces).
 ///
 /// The winding is the original's: white and green are wound inward, red and blue outward, so it is to be drawn
-/// without culling and lit from both sides. Its coordinates are the original's too, where y runs **down** the
+/// without culling and lit from both sides; inflated parts are wound as their faces (the original turned two of
+/// the four over at each level, which such drawing does not see). Its coordinates are the original's too, where y runs **down** the
 /// screen: in this library it is seen upside down until turned.
 ///
 /// # Errors
