@@ -78,11 +78,17 @@ impl Clipper {
             position: lerp(inside.position, outside.position, t),
             weights: lerp(inside.weights, outside.weights, t),
         };
-        // On the near and far plane exactly, so that depth is 1 and 0 there.
+        // On the plane exactly: depth is 1 on the near plane and 0 on the far one, and a cut at the guard band
+        // stays there even where the outside end lies so far out that rounding moves the cut by more than a
+        // picture's width.
+        let w = cut.position[3];
         match plane {
-            0 => cut.position[2] = cut.position[3],
+            0 => cut.position[2] = w,
             1 => cut.position[2] = 0.0,
-            _ => {}
+            _ => {
+                let [a, b] = self.guard[plane - 2];
+                cut.position[(plane - 2) / 2] = -a / b * w;
+            }
         }
         cut
     }

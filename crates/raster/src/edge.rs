@@ -51,10 +51,10 @@ impl Edge {
         e > 0 || (e == 0 && self.is_top_left())
     }
 
-    /// Whether the point (x/d, y/d), in sub-pixels, lies inside and not on the side; d is positive.
-    pub(crate) fn holds(&self, [x, y]: [i64; 2], d: i64) -> bool {
+    /// The edge function at the point (x/d, y/d), in sub-pixels, times d.
+    pub(crate) fn at(&self, [x, y]: [i64; 2], d: i64) -> i128 {
         let wide = i128::from;
-        wide(self.x) * wide(x) + wide(self.y) * wide(y) + wide(self.constant) * wide(d) > 0
+        wide(self.x) * wide(x) + wide(self.y) * wide(y) + wide(self.constant) * wide(d)
     }
 
     /// The edge function at the sample of each pixel.

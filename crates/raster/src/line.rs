@@ -2,7 +2,8 @@
 //!
 //! **Which pixels.** Diamond-exit, as Direct3D and OpenGL have it: a line takes a pixel when it leaves the
 //! diamond `|x − xc| + |y − yc| < ½` around that pixel's sample. Its start counts if it lies inside a diamond,
-//! its end does not, so that a line strip takes each joint's pixel once.
+//! its end does not, so that a line strip takes each joint's pixel once. The diamond's top and left corners
+//! belong to it, as the tie below has it (for lines down to the right, or back, at exactly 45°, the top one only).
 //!
 //! ```text
 //!        ╱╲      ╱╲      ╱╲          flat lines take one pixel in each column whose centre they cross:
@@ -16,9 +17,20 @@
 //! **The faces it outlines.** The pixel's sample p lies up to half a pixel beside q, where a steep face that
 //! holds the line can be a good deal nearer than the line is. So a pixel that fails the depth test is drawn all
 //! the same when what hides it is a face around the line (its stored depth is *bit for bit* that face's, since
-//! depth is one formula) which does not hide the point q itself: one that holds both ends of the line cannot,
-//! and another one does only where it covers q. No bias, no slope factor; what lies really in front stays in
-//! front.
+//! depth is one formula) and no such face hides the point q itself. One that holds both ends of the line cannot;
+//! one that holds an end V can where it is nearer at q than the line, and covers q. Unless the stored face holds
+//! the line, it does as well where q lies beyond its side opposite V: the line runs behind it, and what it runs
+//! behind from there on, half a pixel off, is not known. No bias, no slope factor; what lies really in front
+//! stays in front.
+//!
+//! ```text
+//!         V ●────────●                 V ●────────●
+//!          ╱ ╲ face ╱ ·q                ╱ ╲ face ╱
+//!         ╱ q ╲    ╱                   ╱   ╲·p ╱ ·q
+//!        ╱  ·p ╲  ╱                   ╱     ╲ ╱
+//!       ●───────●                    ●───────●
+//!   beside the sector at V: in sight   inside it: behind
+//! ```
 
 use polosa_math::SUB_PIXELS;
 
@@ -116,6 +128,10 @@ struct Point {
     /// The point q on the line itself, in sub-pixels times `scale`.
     q: [i64; 2],
     scale: i64,
+    /// Depth at q, not rounded.
+    depth: f64,
+    /// Whether q is the line's start, or its end.
+    is_end: [bool; 2],
 }
 
 /// The pixels of a line, along its longer axis (`major`) with pixel centres at multiples of 256.
@@ -148,29 +164,57 @@ impl Walk {
         if mirrored {
             (start[0], end[0]) = (-start[0], -end[0]);
         }
+        let extent = [end[0] - start[0], end[1] - start[1]];
+        let columns = 0..0;
+        let mut walk = Self { state: *state, clip, steep, mirrored, start, extent, z: [a.z, b.z], columns };
         // The first centre at or after the start, the last one at or before the end. A start just past the
         // centre of a diamond still leaves it; an end inside one does not.
         let first = (start[0] + STEP - 1).div_euclid(STEP);
-        let first = first - i64::from(in_diamond(start, first - 1));
+        let first = first - i64::from(walk.in_diamond(start, first - 1, nearest(start[1], 1)));
         let last = end[0].div_euclid(STEP);
-        let last = last - i64::from(in_diamond(end, last));
+        let last = last - i64::from(walk.in_diamond(end, last, walk.row(last)));
         // Only those in the picture.
         let (low, high) = if steep { (clip.y0, clip.y1) } else { (clip.x0, clip.x1) };
         let (low, high) = (i64::from(low), i64::from(high) - 1);
         let (low, high) = if mirrored { (-high, -low) } else { (low, high) };
-        let columns = first.max(low)..last.min(high) + 1;
-        let extent = [end[0] - start[0], end[1] - start[1]];
-        Self { state: *state, clip, steep, mirrored, start, extent, z: [a.z, b.z], columns }
+        walk.columns = first.max(low)..last.min(high) + 1;
+        walk
     }
 
-    /// Depth at a distance from the start, in sub-pixels along the longer axis, from the farther end on.
+    /// How far along the line it crosses a column's centre, in sub-pixels on the longer axis; its start, where
+    /// that lies past the centre already. (No column that is asked for lies past the end.)
+    fn along(&self, column: i64) -> i64 {
+        (column * STEP - self.start[0]).max(0)
+    }
+
+    /// The line's place on the shorter axis there, times the extent on the longer one.
+    fn place(&self, column: i64) -> i64 {
+        self.start[1] * self.extent[0] + self.extent[1] * self.along(column)
+    }
+
+    /// The row that it takes in a column.
+    fn row(&self, column: i64) -> i64 {
+        nearest(self.place(column), self.extent[0])
+    }
+
+    /// Whether a place lies inside the diamond of a column and a row.
+    fn in_diamond(&self, place: [i64; 2], column: i64, row: i64) -> bool {
+        let off = [place[0] - column * STEP, place[1] - row * STEP];
+        // The top and the left corner: one lies towards lesser places on the longer axis, before mirroring.
+        // A line from left corner to top corner, down at 45°, would take two pixels in each column: not the left.
+        let corner = if self.mirrored { STEP / 2 } else { -STEP / 2 };
+        let down = self.extent[1].abs() == self.extent[0] && (self.extent[1] < 0) == self.mirrored;
+        off[0].abs() + off[1].abs() < STEP / 2 || off == [0, -STEP / 2] || (off == [corner, 0] && !down)
+    }
+
+    /// Depth at a distance from the start, in sub-pixels along the longer axis, from the farther end on: not
+    /// rounded to `f32`, and rounded.
     #[expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, reason = "rounded once")]
-    fn depth(&self, along: i64) -> f32 {
-        let along = along.clamp(0, self.extent[0]);
+    fn depth(&self, along: i64) -> (f64, f32) {
         let [a, b] = self.z;
         let (low, high, way) = if a <= b { (a, b, along) } else { (b, a, self.extent[0] - along) };
         let z = f64::from(low) + (f64::from(high) - f64::from(low)) * (way as f64) / (self.extent[0] as f64);
-        (z as f32).min(high)
+        (z, (z as f32).min(high))
     }
 }
 
@@ -180,16 +224,14 @@ impl Iterator for Walk {
     fn next(&mut self) -> Option<Point> {
         loop {
             let column = self.columns.next()?;
-            let ([_, minor], [major_extent, minor_extent]) = (self.start, self.extent);
-            let along = column * STEP - self.start[0];
-            // The line's place on the shorter axis, times the extent on the longer one; then the nearest row.
-            let place = minor * major_extent + minor_extent * along;
-            let row = (place + STEP / 2 * major_extent).div_euclid(STEP * major_extent);
+            let (along, place, row, scale) =
+                (self.along(column), self.place(column), self.row(column), self.extent[0]);
+            let on_longer = (self.start[0] + along) * scale * if self.mirrored { -1 } else { 1 };
             let major = if self.mirrored { -column } else { column };
             let ([x, y], [qx, qy]) = if self.steep {
-                ([row, major], [place, major * STEP * major_extent])
+                ([row, major], [place, on_longer])
             } else {
-                ([major, row], [major * STEP * major_extent, place])
+                ([major, row], [on_longer, place])
             };
             let inside =
                 |v: i64, low: u32, high: u32| u32::try_from(v).ok().filter(|v| (low..high).contains(v));
@@ -199,16 +241,16 @@ impl Iterator for Walk {
                 continue;
             };
             let [sx, sy] = self.state.sample.sub_pixels().map(i64::from);
-            let q = [qx + sx * major_extent, qy + sy * major_extent];
-            return Some(Point { x, y, z: self.depth(along), q, scale: major_extent });
+            let (depth, z) = self.depth(along);
+            let (q, is_end) = ([qx + sx * scale, qy + sy * scale], [along == 0, along == scale]);
+            return Some(Point { x, y, z, q, scale, depth, is_end });
         }
     }
 }
 
-/// Whether a place lies inside the diamond of a column, in the row nearest to it.
-const fn in_diamond(place: [i64; 2], column: i64) -> bool {
-    let row = (place[1] + STEP / 2).div_euclid(STEP);
-    (place[0] - column * STEP).abs() + (place[1] - row * STEP).abs() < STEP / 2
+/// The row nearest to a place that is given times `scale`; exactly between two, the greater.
+const fn nearest(place: i64, scale: i64) -> i64 {
+    (place + STEP / 2 * scale).div_euclid(STEP * scale)
 }
 
 /// The faces around a line, prepared when the first pixel asks for them.
@@ -221,8 +263,12 @@ struct Faces<'a, F> {
     kept: Option<Kept>,
 }
 
-/// A piece of a face, and whether that face holds both ends of the line.
-type Near = (Piece, bool);
+/// A piece of a face, and where among the face's corners the line's ends are.
+#[derive(Clone, Copy)]
+struct Near {
+    piece: Piece,
+    ends: [Option<usize>; 2],
+}
 
 struct Kept {
     near: [Option<Near>; KEPT],
@@ -230,26 +276,48 @@ struct Kept {
 }
 
 impl<I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'_, F> {
-    /// Whether a face around the line is what is stored at the pixel, and does not cover the line's own point.
+    /// Whether what is stored at the pixel is a face around the line, and none of them hides the line's own
+    /// point. A face of the other facing than that one may have been culled: it hides nothing.
     fn only_seem_to_hide<S: Stored>(&mut self, point: &Point, stored: S) -> bool {
-        if self.kept.is_none() {
-            let mut kept = Kept { near: [None; KEPT], all: true };
-            let mut count = 0;
-            self.each(&mut |near| {
-                match kept.near.get_mut(count) {
-                    Some(place) => *place = Some(*near),
-                    None => kept.all = false,
-                }
-                count += 1;
-                false
-            });
-            self.kept = Some(kept);
-        }
-        match &self.kept {
-            Some(Kept { near, all: true }) => {
-                near.iter().flatten().any(|near| self.seems_to_hide(near, point, stored))
+        self.keep();
+        let mut stored_face = None;
+        self.any(&mut |near| {
+            let seems = near.is_stored(self.state, point, stored) && !near.hides(self.state, point, true);
+            if seems {
+                stored_face = Some((near.piece.triangle.facing(), near.holds_line()));
             }
-            _ => self.each(&mut |near| self.seems_to_hide(near, point, stored)),
+            seems
+        });
+        stored_face.is_some_and(|(facing, own)| {
+            !self.any(&mut |near| {
+                near.piece.triangle.facing() == facing && near.hides(self.state, point, !own)
+            })
+        })
+    }
+
+    /// Prepares the faces, as many as there is room for.
+    fn keep(&mut self) {
+        if self.kept.is_some() {
+            return;
+        }
+        let mut kept = Kept { near: [None; KEPT], all: true };
+        let mut count = 0;
+        self.each(&mut |near| {
+            match kept.near.get_mut(count) {
+                Some(place) => *place = Some(*near),
+                None => kept.all = false,
+            }
+            count += 1;
+            false
+        });
+        self.kept = Some(kept);
+    }
+
+    /// Whether `check` says yes to a piece of a face.
+    fn any(&self, check: &mut impl FnMut(&Near) -> bool) -> bool {
+        match &self.kept {
+            Some(Kept { near, all: true }) => near.iter().flatten().any(check),
+            _ => self.each(check),
         }
     }
 
@@ -258,9 +326,9 @@ impl<I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'_, F> {
         let mut found = false;
         for face in (self.faces)() {
             let [Some(a), Some(b), Some(c)] = face.map(|k| self.vertices.get(k as usize)) else { continue };
-            let own = self.line.iter().all(|end| face.contains(end));
+            let ends = self.line.map(|end| face.iter().position(|&corner| corner == end));
             self.setup.triangle([a, b, c], &mut Stats::default(), |piece| {
-                found = found || visit(&(*piece, own));
+                found = found || visit(&Near { piece: *piece, ends });
             });
             if found {
                 break;
@@ -268,14 +336,43 @@ impl<I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'_, F> {
         }
         found
     }
+}
 
-    fn seems_to_hide<S: Stored>(&self, (piece, own): &Near, point: &Point, stored: S) -> bool {
-        let triangle = &piece.triangle;
-        let sides = [0, 1, 2].map(|k| Edge::opposite(triangle, k));
-        let [sx, sy] = self.state.sample.sub_pixels().map(i64::from);
+impl Near {
+    fn holds_line(&self) -> bool {
+        self.ends.iter().all(Option::is_some)
+    }
+
+    /// Whether the stored depth is this face's.
+    fn is_stored<S: Stored>(&self, state: &State, point: &Point, stored: S) -> bool {
+        let triangle = &self.piece.triangle;
+        let [sx, sy] = state.sample.sub_pixels().map(i64::from);
         let (x, y) = (i64::from(point.x) * STEP + sx, i64::from(point.y) * STEP + sy);
-        sides.iter().all(|side| side.covers(x, y))
-            && S::store(triangle.depth(self.state.sample).at(point.x, point.y)) == stored
-            && (*own || !sides.iter().all(|side| side.holds(point.q, point.scale)))
+        (0..3).all(|k| Edge::opposite(triangle, k).covers(x, y))
+            && S::store(triangle.depth(state.sample).at(point.x, point.y)) == stored
+    }
+
+    /// Whether this face covers the line's own point and is nearer there; `beyond`: or would, did it not end
+    /// at the side opposite the end that it shares with the line. It does not where it holds the line, nor at
+    /// the end that it shares: there they meet.
+    #[expect(clippy::cast_precision_loss, reason = "a comparison of depths that differ, or meet in an end")]
+    fn hides(&self, state: &State, point: &Point, beyond: bool) -> bool {
+        if self.holds_line() || (0..2).any(|k| self.ends[k].is_some() && point.is_end[k]) {
+            return false;
+        }
+        let triangle = &self.piece.triangle;
+        // A cut piece's corners are not the face's.
+        let apex = self.ends[0].or(self.ends[1]).filter(|_| beyond && self.piece.clip.is_none());
+        let e = [0, 1, 2].map(|k| Edge::opposite(triangle, k).at(point.q, point.scale));
+        if (0..3).any(|k| e[k] < 0 && Some(usize::from(triangle.given()[k])) != apex) {
+            return false;
+        }
+        let sum: f64 = (0..3).map(|k| e[k] as f64 * f64::from(triangle.corners()[k].z)).sum();
+        let depth = sum / (triangle.area() as f64 * point.scale as f64);
+        match state.test {
+            DepthTest::Greater => depth > point.depth,
+            DepthTest::Less => depth < point.depth,
+            DepthTest::Off => false,
+        }
     }
 }
