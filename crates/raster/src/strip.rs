@@ -149,3 +149,46 @@ impl Side {
 fn first_at(place: i32, sample: u8) -> i64 {
     (i64::from(place) - i64::from(sample) + STEP - 1).div_euclid(STEP)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Corner;
+    use crate::edge::Edge;
+
+    #[test]
+    fn strips_rows_and_points_agree() {
+        let mut seed = 7_u32;
+        let mut next = |range: u32| {
+            seed = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (seed >> 8) % range
+        };
+        let clip = Rect { x0: 0, y0: 0, x1: 40, y1: 30 };
+        for _ in 0..2_000 {
+            let corners = [0; 3].map(|_| {
+                let (x, y) = (next(10_000), next(8_000));
+                let z = (next(1 << 20) as f32) / (1 << 20) as f32;
+                Corner { x: x.cast_signed(), y: y.cast_signed(), z, w: 1.0 }
+            });
+            let Some(triangle) = Triangle::new(corners) else { continue };
+            let sample = Sample::CENTER;
+            let depth = triangle.depth(sample);
+            let sides = [0, 1, 2].map(|k| Edge::opposite(&triangle, k));
+            let mut seen = [[None; 40]; 30];
+            for strip in triangle.strips(sample, clip) {
+                let row = &mut seen[strip.y as usize][strip.x0 as usize..strip.x1 as usize];
+                depth.row(strip.x0, strip.y, row.iter_mut(), |place, z| *place = Some(z));
+            }
+            for (y, row) in (0..).zip(&seen) {
+                for (x, &z) in (0..).zip(row) {
+                    let covered =
+                        sides.iter().all(|s| s.covers(i64::from(x) * 256 + 128, i64::from(y) * 256 + 128));
+                    assert_eq!(covered, z.is_some(), "{triangle:?} at {x}, {y}");
+                    if let Some(z) = z {
+                        assert_eq!(z.to_bits(), depth.at(x, y).to_bits(), "{triangle:?} at {x}, {y}");
+                    }
+                }
+            }
+        }
+    }
+}
