@@ -250,10 +250,11 @@ impl<'a, P: Copy> Target<'a, P> {
         row + x0 as usize..row + x1 as usize
     }
 
-    /// The pixels that may be drawn on.
+    /// The pixels that may be drawn on: `x0 <= x1 <= width`, and `y0 <= y1` among the rows, also if none are left.
     pub(crate) fn clip(&self, scissor: Option<Rect>) -> Rect {
         let all = Rect { x0: 0, y0: self.rows.start, x1: self.width, y1: self.rows.end };
-        scissor.map_or(all, |scissor| scissor.intersection(all))
+        let clip = scissor.map_or(all, |scissor| scissor.intersection(all));
+        if clip.x0 < clip.x1 && clip.y0 < clip.y1 { clip } else { Rect { x1: all.x0, y1: all.y0, ..all } }
     }
 }
 
