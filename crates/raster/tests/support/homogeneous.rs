@@ -19,6 +19,8 @@ pub(crate) const SNAP: f64 = std::f64::consts::SQRT_2 / 512.0 + 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Homogeneous {
     lines: [[i128; 3]; 5],
+    /// The lines' slopes: a distance of 1/256 px changes a line's value by this.
+    slopes: [f64; 5],
     adjugate: [[i128; 3]; 3],
     size: [i64; 2],
 }
@@ -46,7 +48,9 @@ impl Homogeneous {
         let (w, h) = (i128::from(width), i128::from(height));
         // x = X/(128W) − 1 and y = 1 − Y/(128H), multiplied by 128WH.
         let line = |m: [i128; 3]| [m[0] * h, -m[1] * w, 128 * w * h * (m[2] - m[0] + m[1])];
-        Some(Self { lines: [n[0], n[1], n[2], near, far].map(line), adjugate: n, size: [width, height] })
+        let lines = [n[0], n[1], n[2], near, far].map(line);
+        let slopes = lines.map(|[a, b, _]| (a as f64).hypot(b as f64));
+        Some(Self { lines, slopes, adjugate: n, size: [width, height] })
     }
 
     /// The vertices as the crate under test gets them. Exact: the integers are below 2²⁴.
@@ -70,13 +74,12 @@ impl Homogeneous {
     /// The same without line `edge` (0 to 2: the edge opposite that vertex; 3: near, 4: far).
     pub(crate) fn inside_by_without(&self, edge: usize, i: i64, j: i64) -> f64 {
         let [x, y] = sample_point(i, j, [128, 128]).map(i128::from);
-        let distance = |[a, b, c]: [i128; 3]| {
-            let value = (a * x + b * y + c) as f64;
-            let slope = (a as f64).hypot(b as f64);
+        let distance = |k: usize| {
+            let [a, b, c] = self.lines[k];
+            let (value, slope) = ((a * x + b * y + c) as f64, self.slopes[k]);
             if slope == 0.0 { value.signum() * f64::INFINITY } else { value / slope / 256.0 }
         };
-        let lines = self.lines.into_iter().enumerate().filter(|&(k, _)| k != edge);
-        lines.map(|(_, line)| distance(line)).fold(f64::INFINITY, f64::min)
+        (0..5).filter(|&k| k != edge).map(distance).fold(f64::INFINITY, f64::min)
     }
 
     /// The perspective-correct weights of the point (x, y) of the screen, in px.

@@ -67,6 +67,10 @@ pub(crate) fn covers(t: &[Vertex; 3], i: i64, j: i64, sample: [i64; 2]) -> bool 
 pub(crate) fn row_span(t: &[Vertex; 3], j: i64, sample: [i64; 2], width: usize) -> Range<usize> {
     let (mut low, mut high) = (0_i128, width as i128); // low..high
     let Some(t) = positive(t) else { return 0..0 };
+    let y = sample_point(0, j, sample)[1];
+    if t.iter().all(|v| v[1] < y) || t.iter().all(|v| v[1] > y) {
+        return 0..0;
+    }
     for k in 0..3 {
         let (a, b) = (t[k], t[(k + 1) % 3]);
         let spare = edge(a, b, sample_point(0, j, sample)) - least(a, b);
