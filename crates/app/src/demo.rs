@@ -4,7 +4,7 @@
 //!      icosahedron          torus, leaning           cone
 //!                 sphere             cylinder
 //!        TEAPOT, on a chequered floor, in perspective
-//!             pyramid      tetrahedron in four colours
+//!          pyramid    tetrahedron      cube, in wire
 //! ```
 
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub const FILE: &str = "polosa.png";
 pub fn write(path: &Path) -> Result<PathBuf, Error> {
     let destination = Destination::File(path.to_owned());
     destination.check()?;
-    let picture = picture(1280, 800, Samples::Sixteen)?;
+    let picture = picture(1280, 720, Samples::Sixteen)?;
     let mut output = destination.create()?;
     output.fill(|out| write_picture(out, ImageFormat::Png, &picture))?;
     output.commit()?;
@@ -63,7 +63,7 @@ pub fn picture(width: u32, height: u32, samples: Samples) -> Result<Picture, Err
 fn camera(width: u32, height: u32) -> Result<Camera, polosa_scene::CameraError> {
     let mut camera = Camera::new();
     camera.set_projection(Projection::Perspective {
-        fov: FieldOfView::Vertical(34_f64.to_radians()),
+        fov: FieldOfView::Vertical(29_f64.to_radians()),
         near: 0.1,
         far: f64::INFINITY,
     })?;
@@ -103,8 +103,9 @@ fn world() -> Result<World, Box<dyn std::error::Error>> {
     put("sphere:icosahedron:5", Some(0x4a_7fc1), surface, place([-2.3, 0.9, -0.2], DQuat::IDENTITY, 0.9))?;
     put("cylinder:72", Some(0x8a_6fb5), surface, place([2.9, 0.62, 0.3], DQuat::IDENTITY, 0.62))?;
     put("teapot:16", Some(0xe8_e0d0), surface, place([0.35, 1.0, 0.35], turn([0.0, 1.0, 0.0], -25.0), 1.0))?;
-    put("pyramid", Some(0xd8_b444), Show::Both, place([-1.7, 0.0, 2.4], turn([0.0, 1.0, 0.0], 30.0), 0.5))?;
-    put("cube", None, Show::Wire, place([2.0, 0.42, 2.9], turn([0.0, 1.0, 0.0], 20.0), 0.42))?;
+    put("pyramid", Some(0xd8_b444), Show::Both, place([-2.5, 0.51, 2.2], turn([0.0, 1.0, 0.0], 30.0), 0.5))?;
+    put("seed-tetrahedron", None, surface, place([-0.4, 0.6, 3.2], turn([0.3, 1.0, 0.5], 70.0), 0.005))?;
+    put("cube", None, Show::Wire, place([2.0, 0.46, 2.9], turn([0.0, 1.0, 0.0], 20.0), 0.42))?;
     Ok(world)
 }
 

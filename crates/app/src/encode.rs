@@ -18,6 +18,14 @@ use polosa_scene::Picture;
 /// The quality of JPEG files, of 100: edges of flat areas stay clean at this one.
 const JPEG_QUALITY: u8 = 95;
 
+/// How hard PNG is compressed, and how its rows are prepared for that.
+///
+/// Measured on pictures of 1920×1080 of a dense mesh plain, with 16 samples, and with its edges: level 1 takes
+/// 8 to 12 ms and gives 313, 232 and 421 kB; the fastest compressor takes 4 to 8 ms and gives 393, 276 and 1013 kB;
+/// level 2 takes twice the time for a fifth less. Among the filters none is best everywhere; this one is never bad.
+const PNG_LEVEL: png::DeflateCompression = png::DeflateCompression::Level(1);
+const PNG_FILTER: png::Filter = png::Filter::Sub;
+
 /// A picture format that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -208,8 +216,8 @@ fn encode_png(
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(if bytes == Bytes::ColorAlpha { png::ColorType::Rgba } else { png::ColorType::Rgb });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
-    encoder.set_filter(png::Filter::Up);
+    encoder.set_deflate_compression(PNG_LEVEL);
+    encoder.set_filter(PNG_FILTER);
     if bytes != Bytes::Numbers {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     }

@@ -118,9 +118,10 @@ impl Output {
     ///
     /// [`Error::Write`] with what `write` or the system reported.
     pub fn fill(&mut self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
-        write(&mut self.writer)
-            .and_then(|()| self.writer.flush())
-            .map_err(|error| Error::write(&self.name, error))
+        let mut witness = Witness { out: &mut self.writer, seen: None };
+        let written = write(&mut witness).and_then(|()| witness.flush());
+        let seen = witness.seen;
+        written.map_err(|error| Error::write(&self.name, seen.unwrap_or(error)))
     }
 
     /// Gives the complete file its name.
@@ -136,6 +137,38 @@ impl Output {
                 file.persist(target).map(drop).map_err(|error| Error::write(&self.name, error.error))
             }
         }
+    }
+}
+
+/// Remembers what went wrong first. Encoders wrap the errors that they meet, and the kind, by which a user is told
+/// what to do, is lost.
+struct Witness<'a> {
+    out: &'a mut dyn Write,
+    seen: Option<io::Error>,
+}
+
+impl Witness<'_> {
+    fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        result.map_err(|error| {
+            let same = io::Error::from(error.kind());
+            // Interrupted writes are tried again.
+            if error.kind() != io::ErrorKind::Interrupted && self.seen.is_none() {
+                self.seen = Some(error);
+            }
+            same
+        })
+    }
+}
+
+impl Write for Witness<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let result = self.out.write(bytes);
+        self.note(result)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let result = self.out.flush();
+        self.note(result)
     }
 }
 

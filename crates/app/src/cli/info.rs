@@ -7,7 +7,7 @@ use clap::Args;
 use polosa_math::Bounds;
 use polosa_scene::import::{Part, SkippedItem};
 use polosa_scene::topology::Topology;
-use polosa_scene::{Color, Colors};
+use polosa_scene::{Colors, Mesh};
 use serde_json::{Value, json};
 
 use super::args::ModelArg;
@@ -76,7 +76,12 @@ impl Facts {
         let sum = |of: fn(&Topology) -> usize| parts.iter().map(|(topology, _)| of(topology) as u64).sum();
         Self {
             bounds: parts.iter().fold(Bounds::EMPTY, |all, (_, bounds)| all.union(bounds)),
-            edges: sum(|topology| topology.edges),
+            edges: source
+                .parts
+                .iter()
+                .zip(&parts)
+                .map(|(part, (topology, _))| edges(&part.mesh, topology))
+                .sum(),
             open_edges: sum(|topology| topology.open_edges),
             non_manifold_edges: sum(|topology| topology.non_manifold_edges),
             degenerate: sum(|topology| topology.degenerate),
@@ -176,7 +181,7 @@ fn part_json(part: &Part, topology: &Topology, bounds: &Bounds) -> Value {
         "name": part.name,
         "vertices": part.mesh.positions().len(),
         "triangles": part.mesh.triangles().len(),
-        "edges": topology.edges,
+        "edges": edges(&part.mesh, topology),
         "bounds": report::bounds(bounds),
         "material": part.material,
         "color": part.color.map(|color| color.to_string()),
@@ -191,6 +196,11 @@ fn part_json(part: &Part, topology: &Topology, bounds: &Bounds) -> Value {
         "normals": part.mesh.normals().is_some(),
         "texture_coordinates": part.mesh.uvs().is_some(),
     })
+}
+
+/// The edges that are drawn: those of the file's polygons, else the triangles', equal places counted once.
+fn edges(mesh: &Mesh, topology: &Topology) -> u64 {
+    if mesh.has_own_edges() { mesh.edges().len() as u64 } else { topology.edges as u64 }
 }
 
 /// Names of materials, each once, in the order of the parts.
@@ -209,7 +219,7 @@ fn colors(parts: &[Part]) -> String {
     let mut kinds: Vec<String> = Vec::new();
     for part in parts {
         let kind = match (part.color, part.mesh.colors()) {
-            (Some(color), _) => format_color(color),
+            (Some(color), _) => color.to_string(),
             (None, Colors::Vertex(_)) => "per vertex".to_owned(),
             (None, Colors::Face(_)) => "per face".to_owned(),
             _ => "none".to_owned(),
@@ -219,8 +229,4 @@ fn colors(parts: &[Part]) -> String {
         }
     }
     kinds.join(", ")
-}
-
-fn format_color(color: Color) -> String {
-    color.to_string()
 }

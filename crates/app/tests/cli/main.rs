@@ -1,0 +1,9 @@
+//! The program as its users meet it: run, and its files looked at.
+
+mod bad_input;
+mod exact;
+mod help;
+mod info;
+mod options;
+mod outputs;
+mod support;
