@@ -124,7 +124,12 @@ fn by_content(bytes: &[u8]) -> Option<Known> {
 
 /// The text after a byte order mark and blanks.
 fn text_start(head: &[u8]) -> &[u8] {
-    head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start()
+    without_mark(head).trim_ascii_start()
+}
+
+/// A text without the byte order mark that some editors put in front.
+pub(super) fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text)
 }
 
 fn by_signature(head: &[u8]) -> Option<Known> {

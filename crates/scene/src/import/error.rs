@@ -83,6 +83,10 @@ impl Fault {
     }
 
     /// The same fault at a place, unless it has one already.
+    #[cfg_attr(
+        not(any(feature = "obj", feature = "stl", feature = "ply", feature = "gltf")),
+        expect(dead_code, reason = "readers know places")
+    )]
     pub(super) fn at(mut self, place: Place) -> Self {
         self.place = self.place.or(Some(place));
         self

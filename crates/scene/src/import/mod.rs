@@ -55,6 +55,8 @@ mod skipped;
 mod stl;
 #[cfg(any(feature = "obj", feature = "stl", feature = "ply"))]
 mod text;
+#[cfg(any(feature = "obj", feature = "stl"))]
+mod words;
 
 use core::fmt;
 use std::fs::File;
@@ -137,7 +139,7 @@ pub struct Part {
 /// What a reader is given beside the bytes, and where it reports to.
 #[derive(Debug)]
 #[cfg_attr(
-    not(all(feature = "obj", feature = "gltf")),
+    not(any(feature = "obj", feature = "gltf")),
     expect(dead_code, reason = "each format uses what it needs")
 )]
 struct Context<'a> {

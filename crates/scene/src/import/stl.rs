@@ -23,7 +23,8 @@ use super::draft::Draft;
 use super::error::{Fault, Parsed, Place, quote};
 use super::polygon::Cutter;
 use super::skipped::SkippedKind;
-use super::text::{Lines, Words, float};
+use super::text::Lines;
+use super::words::{Words, float};
 use super::{Context, Part};
 
 /// Bytes before the first triangle of a binary file: a free text and the count.
@@ -43,7 +44,7 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>>
 /// Text has no NUL and says `solid` or `facet` first.
 fn is_text(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(1024)];
-    let first = Words::new(super::text::without_mark(head)).next().unwrap_or_default();
+    let first = Words::new(super::detect::without_mark(head)).next().unwrap_or_default();
     !head.contains(&0) && (first.eq_ignore_ascii_case(b"solid") || first.eq_ignore_ascii_case(b"facet"))
 }
 

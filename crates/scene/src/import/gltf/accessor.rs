@@ -123,13 +123,16 @@ fn sparse(
     Ok(())
 }
 
-/// The entries as vectors of `N` components; missing ones are 1, as alpha is, further ones are dropped.
+/// The entries as vectors of `N` components; further ones, such as alpha, are dropped.
 pub(super) fn vectors<const N: usize>(accessor: &Accessor<'_>, buffers: &Buffers) -> Parsed<Vec<[f32; N]>> {
     let components = accessor.dimensions().multiplicity();
+    if components < N {
+        return Err(fault(accessor, "its entries have too few components"));
+    }
     let normalized = accessor.normalized();
     let vector = |entries: &Entries<'_>, entry: usize| {
-        let mut vector = [1.0; N];
-        for (component, slot) in vector.iter_mut().enumerate().take(components) {
+        let mut vector = [0.0; N];
+        for (component, slot) in vector.iter_mut().enumerate() {
             *slot = entries.float(entry, component, normalized);
         }
         vector

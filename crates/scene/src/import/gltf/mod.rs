@@ -102,7 +102,7 @@ fn parse(bytes: &[u8]) -> Parsed<(gltf::Document, Option<Vec<u8>>)> {
     if bytes.starts_with(b"glTF") {
         check_container(bytes)?;
     }
-    let gltf = gltf::Gltf::from_slice_without_validation(super::text::without_mark(bytes))
+    let gltf = gltf::Gltf::from_slice_without_validation(super::detect::without_mark(bytes))
         .map_err(not_understood)?;
     let mut root: json::Root = gltf.document.into_json();
     if !root.asset.version.starts_with("2.") {
@@ -117,7 +117,29 @@ fn parse(bytes: &[u8]) -> Parsed<(gltf::Document, Option<Vec<u8>>)> {
     }
     // The library would refuse these by its own list.
     root.extensions_required.clear();
+    check_positions(&mut root)?;
     Ok((gltf::Document::from_json(root).map_err(not_understood)?, gltf.blob))
+}
+
+/// The library's validation reads the accessor of each primitive's positions without looking whether it is there,
+/// and refuses it without the bounds that some exporters leave out and nothing here needs.
+fn check_positions(root: &mut json::Root) -> Parsed<()> {
+    let positions = json::validation::Checked::Valid(gltf::Semantic::Positions);
+    for (number, mesh) in (0..).zip(&root.meshes) {
+        for primitive in &mesh.primitives {
+            let Some(index) = primitive.attributes.get(&positions) else { continue };
+            let Some(accessor) = root.accessors.get_mut(index.value()) else {
+                let (index, count) = (index.value(), root.accessors.len());
+                return Err(Fault::new(format!(
+                    "its positions are accessor {index}, but there are only {count}: the file is broken, export it again"
+                ))
+                .at(Place::Item("mesh", number)));
+            };
+            let zero = json::Value::from(vec![0; 3]);
+            (accessor.min, accessor.max) = (Some(zero.clone()), Some(zero));
+        }
+    }
+    Ok(())
 }
 
 /// The header of a GLB: the library subtracts from its length without looking.

@@ -3,9 +3,10 @@
 use polosa_math::Placement;
 
 use super::super::Part;
-use super::super::draft::{Draft, Gather, MISSING, Values, code};
+use super::super::draft::{Draft, MISSING, Values, code};
 use super::super::error::{Parsed, quote};
 use super::super::skipped::SkippedKind;
+use super::gather::Gather;
 use super::{Reader, Tables};
 use crate::Color;
 

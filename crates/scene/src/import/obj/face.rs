@@ -73,11 +73,11 @@ fn integer(bytes: &[u8]) -> Option<(Option<i64>, &[u8])> {
     let mut value = 0_i64;
     let mut length = 0;
     while let Some(digit @ b'0'..=b'9') = digits.get(length) {
-        value = value * 10 + i64::from(digit - b'0');
-        length += 1;
-        if length > 18 {
+        if length == 18 {
             return None;
         }
+        value = value * 10 + i64::from(digit - b'0');
+        length += 1;
     }
     let value = if length == 0 { None } else { Some(if negative { -value } else { value }) };
     if negative && value.is_none() { None } else { Some((value, &digits[length..])) }

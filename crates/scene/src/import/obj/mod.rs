@@ -23,13 +23,15 @@
 
 mod assemble;
 mod face;
+mod gather;
 mod mtl;
 
 use std::collections::HashMap;
 
 use super::error::{Fault, Parsed, Place, quote};
 use super::skipped::SkippedKind;
-use super::text::{Lines, Words, float};
+use super::text::Lines;
+use super::words::{Words, float};
 use super::{Context, Part};
 use face::{Corner, Faces};
 use mtl::Materials;

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use super::super::draft::code;
-use super::super::text::{Lines, Words, float};
+use super::super::text::Lines;
+use super::super::words::{Words, float};
 use crate::Color;
 
 /// Materials by name. `None`: one without a diffuse colour.

@@ -217,7 +217,7 @@ impl Content {
                 Err(index) => return Err(outside(index, None)),
             }
             if let &[.., a, b, c] = strip.as_slice() {
-                let turned = strip.len() % 2 == 0;
+                let turned = strip.len().is_multiple_of(2);
                 self.corners.extend(if turned { [b, a, c] } else { [a, b, c] });
                 self.ends.push(self.corners.len());
             }
