@@ -274,6 +274,36 @@ fn a_fan_with_its_rim_behind_the_eye_draws_every_pixel_once() {
     }
 }
 
+/// A pixel has the depth of a point of the true triangle within the snap of it. Depth is linear on the
+/// screen: the points furthest off in depth lie on the border of that neighbourhood.
+#[test]
+fn a_clipped_triangle_has_the_depth_of_the_whole() {
+    let mut r = Rng::new(57);
+    let mut pixels = 0;
+    for _ in 0..1_000 {
+        let v = [(); 3].map(|()| {
+            let w = r.range(-10_000, 40_000);
+            [r.range(-60_000, 60_000), r.range(-60_000, 60_000), r.range(-2_000, 20_000), w]
+        });
+        let Some(oracle) = Homogeneous::new(&v, WIDTH as i64, HEIGHT as i64) else { continue };
+        let mut picture = Picture::new(WIDTH, HEIGHT);
+        picture.target().triangles(&State::default(), &Homogeneous::clip(&v), &[[0, 1, 2]], &Flat(1));
+        for (x, y) in picture.painted() {
+            let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
+            let exact = oracle.depth(px, py);
+            let steps = (0..16).map(|k| (std::f64::consts::TAU * f64::from(k) / 16.0).sin_cos());
+            // 1.03: sixteen points come this near to a circle.
+            let beside = steps.map(|(sin, cos)| oracle.depth(px + 1.03 * SNAP * cos, py + 1.03 * SNAP * sin));
+            let spread = beside.map(|d| (d - exact).abs()).fold(0.0, f64::max);
+            let error = (f64::from(picture.depth_at(x, y)) - exact).abs();
+            let bound = spread + (exact.abs() + spread) * 5.0 / 16_777_216.0;
+            assert!(error <= bound, "{v:?} at ({x}, {y}): {error:e} off {exact}, {bound:e} allowed");
+            pixels += 1;
+        }
+    }
+    assert!(pixels > 50_000, "{pixels} px");
+}
+
 /// The front of a triangle stays its front however it is cut.
 #[test]
 fn clipping_keeps_the_side_that_a_triangle_shows() {

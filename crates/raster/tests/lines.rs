@@ -248,6 +248,25 @@ fn lines_obey_depth_test_write_and_scissor() {
     assert_eq!(picture.painted(), [(3, 8), (4, 8), (5, 8), (6, 8)]);
 }
 
+/// The line runs from before the eye to behind it, and meets the near plane, z = w, halfway.
+#[test]
+fn a_line_is_drawn_up_to_the_near_plane_the_same_from_both_ends() {
+    let (a, b, cut) = ([0.5, -0.25, 0.5, 2.0], [-0.5, 0.75, 0.5, -1.0], [0.0, 0.25, 0.5, 0.5]);
+    for order in [[0, 1], [1, 0]] {
+        let [whole, visible] = [b, cut].map(|end| {
+            let mut picture = Picture::new(64, 48);
+            let stats = picture.target().lines(&State::default(), &[a, end], &[order], 1);
+            (picture, stats.clipped, stats.drawn)
+        });
+        assert_eq!((whole.1, visible.1, whole.2), (1, 0, 1));
+        assert!(whole.0 == visible.0 && whole.0.painted().len() > 10, "{:?}", whole.0.rows());
+    }
+    let mut picture = Picture::new(64, 48);
+    let behind = [[0.5, 0.5, 0.5, -1.0], [-0.5, 0.5, 0.5, 0.25]];
+    let stats = picture.target().lines(&State::default(), &behind, &[[0, 1]], 1);
+    assert!(stats.outside == 1 && picture.painted().is_empty());
+}
+
 #[test]
 fn a_lines_bands_are_the_whole_pictures_rows() {
     let mut r = Rng::new(86);

@@ -196,7 +196,7 @@ fn a_fragment_knows_its_place_depth_and_triangle() {
 
 /// What a shade discards leaves no depth, so that what comes later and farther is seen through it.
 #[test]
-fn a_discarded_fragment_leaves_colour_and_depth() {
+fn a_discarded_fragment_leaves_no_depth() {
     let wall = |z| [px(0.0, 0.0, z), px(32.0, 0.0, z), px(0.0, 32.0, z)];
     let mut picture = Picture::new(16, 16);
     let grate = |f: &Fragment<'_>, pixel: &mut u32| {

@@ -82,6 +82,16 @@ impl Homogeneous {
         (0..5).filter(|&k| k != edge).map(distance).fold(f64::INFINITY, f64::min)
     }
 
+    /// The depth at the point (x, y) of the screen, in px: its distance from the far plane, as a part of the
+    /// way from there to the near one.
+    pub(crate) fn depth(&self, x: f64, y: f64) -> f64 {
+        let [near, far] = [3, 4].map(|k| {
+            let [a, b, c] = self.lines[k].map(|c: i128| c as f64);
+            a * 256.0 * x + b * 256.0 * y + c
+        });
+        far / (near + far)
+    }
+
     /// The perspective-correct weights of the point (x, y) of the screen, in px.
     pub(crate) fn weights(&self, x: f64, y: f64) -> [f64; 3] {
         let [w, h] = self.size.map(|s| s as f64);
