@@ -157,6 +157,7 @@ mod tests {
     use crate::edge::Edge;
 
     #[test]
+    #[expect(clippy::cast_precision_loss, reason = "20 bits")]
     fn strips_rows_and_points_agree() {
         let mut seed = 7_u32;
         let mut next = |range: u32| {
