@@ -1,19 +1,19 @@
 //! Wavefront OBJ.
 //!
-//! An own reader, since no library kept what is needed. A grid of 100,352 triangles with positions only, and
-//! with normals (`v//vn`), read on a 2-core Xeon, best of several runs:
+//! An own reader, since no library kept what is needed within the time that there is. A grid of 100,352 triangles
+//! with positions only, and with normals (`v//vn`), all readers side by side on the same two busy cores, best of
+//! several runs; compare the rows with each other, not with another machine:
 //!
-//! | reader | ms | what is lost |
-//! |---|---|---|
-//! | tobj 4.0 | 72, 92 | the place of an error; object boundaries duplicate work |
-//! | obj 0.10 | 74, 65 | positions and corners as nested vectors; panics on some bad input |
-//! | `wavefront_obj` 11 | 54, 65 | polygons (its primitives are triangles) |
-//! | wobj 0.3 | 42, 50 | speed; negative indices are refused |
-//! | this one | 14, 21 | free-form geometry, as all of them |
+//! | reader | ms | indices out of range | beside that |
+//! |---|---|---|---|
+//! | tobj 4.0 | 111, 184 | error without a place | |
+//! | obj 0.10 | 137, 188 | not checked | corners as nested vectors; lines counted from 0 |
+//! | `wavefront_obj` 11 | 107, 184 | error with its line | no negative indices, triangles instead of polygons |
+//! | wobj 0.3 | 74, 117 | not checked | the closest; errors over several lines |
+//! | this one | 20, 33 | error with its line | no free-form geometry, as none of them has |
 //!
-//! The whole program has 120 ms for such a file, most of which the picture's compression needs. The grammar is
-//! a word and numbers a line, so that the reader stays small; numbers go through the standard library, which
-//! rounds correctly.
+//! The whole program has 120 ms on two idle cores for such a file, most of which the picture's compression needs.
+//! The grammar is a word and numbers a line, so that the reader stays small.
 //!
 //! # How it reads
 //!
