@@ -104,7 +104,7 @@ fn world() -> Result<World, Box<dyn std::error::Error>> {
     put("cylinder:72", Some(0x8a_6fb5), surface, place([2.9, 0.62, 0.3], DQuat::IDENTITY, 0.62))?;
     put("teapot:16", Some(0xe8_e0d0), surface, place([0.35, 1.0, 0.35], turn([0.0, 1.0, 0.0], -25.0), 1.0))?;
     put("pyramid", Some(0xd8_b444), Show::Both, place([-2.5, 0.51, 2.2], turn([0.0, 1.0, 0.0], 30.0), 0.5))?;
-    put("seed-tetrahedron", None, surface, place([-0.4, 0.6, 3.2], turn([0.3, 1.0, 0.5], 70.0), 0.005))?;
+    put("seed-tetrahedron", None, surface, place([-0.6, 0.46, 3.3], turn([0.0, 1.0, 0.0], -24.0), 0.0045))?;
     put("cube", None, Show::Wire, place([2.0, 0.46, 2.9], turn([0.0, 1.0, 0.0], 20.0), 0.42))?;
     Ok(world)
 }

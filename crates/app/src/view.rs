@@ -57,12 +57,17 @@ pub enum Lens {
 }
 
 impl View {
-    /// The camera for a picture of the world in `bounds`, `aspect` being width / height.
+    /// The camera for a picture of `points`, which lie in `bounds`; `aspect` is width / height.
     ///
     /// # Errors
     ///
     /// What the camera refuses, such as a world too large to stand back from.
-    pub fn camera(&self, bounds: &Bounds, aspect: f64) -> Result<Camera, CameraError> {
+    pub fn camera(
+        &self,
+        points: impl Iterator<Item = DVec3>,
+        bounds: &Bounds,
+        aspect: f64,
+    ) -> Result<Camera, CameraError> {
         let to_scale = matches!(self.lens, Lens::ParallelTo(_));
         let middle = if to_scale { DVec3::ZERO } else { bounds.center().unwrap_or(DVec3::ZERO) };
         let away = self.up.turned(if to_scale { DVec3::Z } else { TO_EYE });
@@ -110,20 +115,24 @@ impl View {
             camera.set_position(camera.position() + back)?;
             set_depth(&mut camera, bounds)?;
         } else {
-            let (eye, up) = (camera.direction(), camera.view_up());
-            camera.frame(&around(focal, bounds), -eye, up, MARGIN)?;
+            let (axis, up) = (camera.direction(), camera.view_up());
+            match self.focal_point {
+                None => camera.frame_points(points, -axis, up, MARGIN)?,
+                Some(focal) => {
+                    let both = points.flat_map(|point| [point, half_turn(point, focal, axis)]);
+                    camera.frame_points(both, -axis, up, MARGIN)?;
+                }
+            }
         }
         Ok(camera)
     }
 }
 
-/// The box with its middle in `focal` that just holds `bounds`.
-fn around(focal: DVec3, bounds: &Bounds) -> Bounds {
-    if bounds.is_empty() || Some(focal) == bounds.center() {
-        return *bounds;
-    }
-    let half = (bounds.max() - focal).abs().max((bounds.min() - focal).abs());
-    Bounds::new(focal - half, focal + half)
+/// A point after half a turn about the line through `focal` along the unit vector `axis`. Points together with
+/// these have `focal` in the middle of their picture.
+fn half_turn(point: DVec3, focal: DVec3, axis: DVec3) -> DVec3 {
+    let v = point - focal;
+    focal + axis * (2.0 * v.dot(axis)) - v
 }
 
 /// Half the diagonal, 1 for what has none.
@@ -186,7 +195,7 @@ mod tests {
     #[test]
     fn a_drawing_to_scale_maps_units_to_pixels_exactly() {
         let view = View { lens: Lens::ParallelTo(256.0), ..PLAIN };
-        let camera = view.camera(&cube(), 1.0).unwrap();
+        let camera = view.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
         for (x, y) in [(0.0, 0.0), (10.0, -3.0), (-128.0, 128.0)] {
             let seen = camera.project_point(DVec3::new(x, y, 0.5), 256, 256).unwrap();
             assert_eq!([seen.x, seen.y], [128.0 + x, 128.0 - y]);
@@ -200,7 +209,7 @@ mod tests {
                 for (azimuth, elevation) in [(0.0, 0.0), (90.0, 0.0), (-30.0, 80.0), (200.0, -120.0)] {
                     for focal_point in [None, Some(DVec3::new(12.0, 0.0, 3.0))] {
                         let view = View { lens, up, azimuth, elevation, focal_point, ..PLAIN };
-                        let camera = view.camera(&cube(), 1.5).unwrap();
+                        let camera = view.camera(cube().corners().into_iter(), &cube(), 1.5).unwrap();
                         for corner in cube().corners() {
                             let seen = camera.project_point(corner, 300, 200).expect("in front of the eye");
                             assert!(
@@ -218,7 +227,7 @@ mod tests {
     fn the_default_view_has_the_up_axis_upward_and_comes_from_the_front_right() {
         for (up, to_eye) in [(Up::PlusY, DVec3::new(1.0, 0.7, 1.0)), (Up::PlusZ, DVec3::new(1.0, -1.0, 0.7))]
         {
-            let camera = View { up, ..PLAIN }.camera(&cube(), 1.0).unwrap();
+            let camera = View { up, ..PLAIN }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
             assert!((camera.direction() + to_eye.normalize()).length() < 1e-12);
             assert!(camera.up().dot(up.axis()) > 0.8);
         }
@@ -227,9 +236,11 @@ mod tests {
     #[test]
     fn azimuth_goes_to_the_right_and_elevation_upward() {
         let front = View { direction: Some(DVec3::NEG_Z), ..PLAIN };
-        let right = View { azimuth: 90.0, ..front }.camera(&cube(), 1.0).unwrap();
+        let right =
+            View { azimuth: 90.0, ..front }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
         assert!((right.direction() - DVec3::NEG_X).length() < 1e-12, "{}", right.direction());
-        let top = View { elevation: 90.0, ..front }.camera(&cube(), 1.0).unwrap();
+        let top =
+            View { elevation: 90.0, ..front }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
         assert!((top.direction() - DVec3::NEG_Y).length() < 1e-12, "{}", top.direction());
     }
 
@@ -238,7 +249,7 @@ mod tests {
         for lens in [Lens::Perspective(30.0), Lens::Parallel, Lens::ParallelTo(4.0)] {
             let position = Some(DVec3::new(10.0, 0.0, 7.0));
             let view = View { lens, position, direction: Some(DVec3::NEG_Z), ..PLAIN };
-            let camera = view.camera(&cube(), 1.0).unwrap();
+            let camera = view.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
             assert_eq!(camera.position(), DVec3::new(10.0, 0.0, 7.0));
             for z in [-1.0, 1.0] {
                 let seen = camera.project_point(DVec3::new(10.0, 0.0, z), 100, 100).unwrap();
@@ -252,7 +263,9 @@ mod tests {
         for lens in [Lens::Perspective(30.0), Lens::Parallel, Lens::ParallelTo(4.0)] {
             for position in [None, Some(DVec3::ZERO)] {
                 for bounds in [Bounds::EMPTY, Bounds::new(DVec3::ONE, DVec3::ONE)] {
-                    assert!(View { lens, position, ..PLAIN }.camera(&bounds, 1.0).is_ok());
+                    assert!(
+                        View { lens, position, ..PLAIN }.camera(std::iter::empty(), &bounds, 1.0).is_ok()
+                    );
                 }
             }
         }

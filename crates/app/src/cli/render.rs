@@ -4,9 +4,11 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use polosa_math::Bounds;
+use polosa_math::glam::DVec3;
 use polosa_raster::MAX_SIDE;
 use polosa_scene::{
-    Camera, DrawStats, Light, LightSpace, Object, Picture, PictureSettings, Renderer, Show, Style, World,
+    Camera, DrawStats, Light, LightSpace, Mesh, Object, Picture, PictureSettings, Renderer, Show, Style,
+    World,
 };
 
 use super::args::{Background, ModelArg, Up};
@@ -139,8 +141,9 @@ fn make<'a>(
     progress.now(&format!("drawing {}", name.display()));
     let bounds = world.bounds();
     let aspect = f64::from(settings.width) / f64::from(settings.height);
-    let camera =
-        view(args, up).camera(&bounds, aspect).map_err(|error| Error::file(name, error.to_string()))?;
+    let camera = view(args, up)
+        .camera(points(&world), &bounds, aspect)
+        .map_err(|error| Error::file(name, error.to_string()))?;
     let picture = Picture::render(renderer, &world, &camera, &light(args), &style(args), settings)
         .map_err(|error| Error::file(name, error.to_string()))?;
     progress.step();
@@ -214,6 +217,15 @@ fn warn(fact: &ModelFacts, source: &Source) {
     for note in &source.notes {
         tell(&format!("polosa: {}: note: {}\n", fact.name, crate::error::one_line(note)), true);
     }
+}
+
+/// Every vertex of every object.
+fn points(world: &World) -> impl Iterator<Item = DVec3> {
+    world.objects().flat_map(|(_, object)| {
+        let matrix = object.placement.matrix();
+        let positions = world.mesh(object.mesh()).map(Mesh::positions).unwrap_or_default();
+        positions.iter().map(move |position| matrix.transform_point3(position.map(f64::from).into()))
+    })
 }
 
 fn view(args: &RenderArgs, up: Up) -> View {
