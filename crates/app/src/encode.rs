@@ -232,3 +232,75 @@ fn encode_png(
     writer.finish()?;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use polosa_scene::{DrawStats, Picture};
+    use proptest::prelude::*;
+
+    use super::{ImageFormat, write_ids, write_picture};
+
+    fn decode(format: ImageFormat, bytes: &[u8]) -> image::RgbaImage {
+        let format = image::ImageFormat::from_extension(format.extensions()[0]).unwrap();
+        image::load_from_memory_with_format(bytes, format).unwrap().into_rgba8()
+    }
+
+    fn picture(width: u32, height: u32, pixels: Vec<u32>, alpha: Option<Vec<u8>>) -> Picture {
+        let stats = DrawStats::default();
+        Picture { width, height, pixels, alpha, distances: None, ids: None, stats }
+    }
+
+    fn pixels() -> impl Strategy<Value = (u32, u32, Vec<u32>, Vec<u8>)> {
+        (1..20_u32, 1..20_u32).prop_flat_map(|(width, height)| {
+            let size = (width * height) as usize;
+            let pixels = proptest::collection::vec(0..=0xff_ffff_u32, size);
+            (Just(width), Just(height), pixels, proptest::collection::vec(any::<u8>(), size))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn lossless_formats_keep_every_pixel((width, height, colors, alpha) in pixels()) {
+            for format in ImageFormat::ALL.into_iter().filter(|format| format.is_lossless()) {
+                let mut plain = Vec::new();
+                write_picture(&mut plain, format, &picture(width, height, colors.clone(), None)).unwrap();
+                let mut numbers = Vec::new();
+                write_ids(&mut numbers, format, width, height, &colors).unwrap();
+                for bytes in [plain, numbers] {
+                    let back = decode(format, &bytes);
+                    prop_assert_eq!(back.dimensions(), (width, height));
+                    for (pixel, color) in back.pixels().zip(&colors) {
+                        let [_, r, g, b] = color.to_be_bytes();
+                        prop_assert_eq!(pixel.0, [r, g, b, 255]);
+                    }
+                }
+                if format.has_alpha() {
+                    let mut bytes = Vec::new();
+                    write_picture(&mut bytes, format, &picture(width, height, colors.clone(), Some(alpha.clone()))).unwrap();
+                    for ((pixel, color), alpha) in decode(format, &bytes).pixels().zip(&colors).zip(&alpha) {
+                        let [_, r, g, b] = color.to_be_bytes();
+                        prop_assert_eq!(pixel.0, [r, g, b, *alpha]);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn extensions_name_formats_in_either_case_and_others_are_refused_with_a_list() {
+        assert_eq!(ImageFormat::from_path(Path::new("a/b.c.PnG")), Ok(ImageFormat::Png));
+        assert_eq!(ImageFormat::from_path(Path::new("x.JPEG")), Ok(ImageFormat::Jpeg));
+        for name in ["png", "x.", "x.xyz", ".png", "x.pn\ng"] {
+            let text = ImageFormat::from_path(Path::new(name)).unwrap_err().to_string();
+            assert!(text.contains(".png") && text.contains(".ppm") && !text.contains('\n'), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_number_of_ids_or_a_format_that_changes_them_is_refused() {
+        assert!(write_ids(&mut Vec::new(), ImageFormat::Png, 2, 2, &[1, 2, 3]).is_err());
+        assert!(write_ids(&mut Vec::new(), ImageFormat::Jpeg, 1, 1, &[1]).is_err());
+    }
+}

@@ -52,3 +52,8 @@ pub use error::Error;
 pub use polosa_math as math;
 pub use polosa_raster as raster;
 pub use polosa_scene as scene;
+
+/// The README's program is compiled with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -263,9 +263,9 @@ pub fn up(text: &str) -> Result<Up, String> {
 /// How surfaces are shaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShadingArg {
-    /// Not at all: colours are written as the file has them
+    /// Colours are written as the file has them
     Unlit,
-    /// Each triangle by its own plane
+    /// Each triangle by the direction that its plane faces
     Flat,
 }
 
@@ -281,11 +281,11 @@ impl From<ShadingArg> for Shading {
 /// Which sides of surfaces are left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CullArg {
-    /// None: both sides are drawn
+    /// Both sides are drawn
     None,
-    /// Those that face away from the viewer
+    /// Without those that face away from the viewer
     Back,
-    /// Those that face the viewer
+    /// Without those that face the viewer
     Front,
 }
 

@@ -138,6 +138,12 @@ fn make<'a>(
     let loaded = Instant::now();
 
     let name = job.picture.0.name();
+    reserve(settings).map_err(|bytes| {
+        Error::file(
+            name,
+            format!("needs {} MiB of memory, which are not free: lower --resolution", bytes >> 20),
+        )
+    })?;
     progress.now(&format!("drawing {}", name.display()));
     let bounds = world.bounds();
     let aspect = f64::from(settings.width) / f64::from(settings.height);
@@ -164,6 +170,18 @@ fn make<'a>(
         draw: drawn - loaded,
         write: drawn.elapsed(),
     })
+}
+
+/// Asks whether there is memory for a picture, since running out of it on the way would end the program without a
+/// word. The bytes that are needed, if there is not.
+fn reserve(settings: &PictureSettings) -> Result<(), usize> {
+    let layers = 4
+        + usize::from(settings.background.is_none())
+        + 4 * usize::from(settings.distances)
+        + 4 * usize::from(settings.ids);
+    // No more than 2²⁸ pixels: `settings` has seen to that. What drawing needs beside is a band of rows.
+    let bytes = layers * settings.width as usize * settings.height as usize;
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| bytes)
 }
 
 /// All models in one world, in the order of the command line.

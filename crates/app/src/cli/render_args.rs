@@ -40,7 +40,8 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = args::vector, allow_hyphen_values = true, help_heading = CAMERA)]
     pub(super) camera_position: Option<DVec3>,
 
-    /// The point that it looks at and turns about [default: the middle of the models' bounds]
+    /// The point that it looks at and turns about, the picture's middle [default: the middle of the models, or of
+    /// what is seen of them]
     #[arg(long, value_name = "X,Y,Z", value_parser = args::vector, allow_hyphen_values = true, help_heading = CAMERA)]
     pub(super) camera_focal_point: Option<DVec3>,
 
