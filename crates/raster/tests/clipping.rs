@@ -228,10 +228,15 @@ fn scene_13_an_edge_clipped_from_both_sides_has_no_crack() {
         let corner = |r: &mut Rng| {
             let w = r.range(-20_000, 60_000);
             let z = [r.range(-3_000, 30_000), 300][r.index(2)];
-            let reach = if round % 2 == 0 { 50_000 } else { 2_000_000 };
+            let reach = if round % 3 == 0 { 50_000 } else { 2_000_000 };
             [r.range(-reach, reach), r.range(-reach, reach), z, w]
         };
-        let [a, b, c] = [corner(&mut r), corner(&mut r), corner(&mut r)];
+        let [mut a, mut b, mut c] = [corner(&mut r), corner(&mut r), corner(&mut r)];
+        if round % 3 == 2 {
+            // Only one of the two is cut, and the shared edge ends on the near plane or a hair inside of it.
+            let mut at = |w: i64, reach: i64| [r.range(-reach, reach), r.range(-reach, reach), 300, w];
+            (a, b, c) = (at(300 + round, 600), at(290 - round % 500, 600), at(300 + round % 4, 300));
+        }
         let d = [0, 1, 2, 3].map(|k| a[k] + c[k] - b[k]);
         let v = [a, b, c, d];
         let both = ([a, b, c], [c, d, a]); // The shared edge is opposite vertex 1 of each.
