@@ -90,3 +90,8 @@ pub use target::{Depth, MAX_SIDE, StoredDepth, Target, TargetError};
 pub use transform::{Columns, transform, transform_point};
 pub use triangle::{Facing, Triangle};
 pub use weights::Weights;
+
+/// The examples of the README are tests, too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -26,3 +26,8 @@ pub use style::Style;
 mod outline;
 pub mod import;
 pub mod topology;
+
+/// The examples of the README are tests, too.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
