@@ -16,13 +16,51 @@ use polosa_math::Bounds;
 use polosa_math::glam::DVec3;
 use polosa_scene::{Camera, CameraError, FieldOfView, Projection};
 
-use crate::cli::args::Up;
-
 /// From the model's middle to the observer, with +Y upward.
 const TO_EYE: DVec3 = DVec3::new(1.0, 0.7, 1.0);
 
 /// The part of the picture that stays free on every side of a fitted model.
 const MARGIN: f64 = 0.05;
+
+/// Which axis of the world points upward.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// +X.
+    PlusX,
+    /// −X.
+    MinusX,
+    /// +Y: OBJ, PLY, glTF and the standard shapes.
+    PlusY,
+    /// −Y.
+    MinusY,
+    /// +Z: STL, as printers and CAD have it.
+    PlusZ,
+    /// −Z.
+    MinusZ,
+}
+
+impl Up {
+    /// The axis itself.
+    #[must_use]
+    pub fn axis(self) -> DVec3 {
+        self.turned(DVec3::Y)
+    }
+
+    /// A vector that is given for +Y upward, for this axis upward: turned by a quarter or half a turn, so that no
+    /// number changes but in place and sign.
+    #[must_use]
+    pub fn turned(self, v: DVec3) -> DVec3 {
+        let DVec3 { x, y, z } = v;
+        match self {
+            Self::PlusY => v,
+            Self::MinusY => DVec3::new(x, -y, -z),
+            Self::PlusZ => DVec3::new(x, -z, y),
+            Self::MinusZ => DVec3::new(x, z, -y),
+            Self::PlusX => DVec3::new(y, -x, z),
+            Self::MinusX => DVec3::new(-y, x, z),
+        }
+    }
+}
 
 /// How the world is seen; angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,8 +212,7 @@ mod tests {
     use polosa_math::Bounds;
     use polosa_math::glam::DVec3;
 
-    use super::{Lens, View};
-    use crate::cli::args::Up;
+    use super::{Lens, Up, View};
 
     const PLAIN: View = View {
         position: None,

@@ -9,10 +9,11 @@ use polosa_math::glam::DVec3;
 use polosa_scene::{Color, Samples, Shading, Shape};
 
 use crate::output::Destination;
+use crate::view::Up;
 
 /// What is drawn or told about.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ModelArg {
+pub(super) enum ModelArg {
     /// A file.
     File(PathBuf),
     /// Standard input.
@@ -23,7 +24,7 @@ pub enum ModelArg {
 
 impl ModelArg {
     /// The parser for clap; names of files may be any bytes that the system allows.
-    pub fn parser() -> impl TypedValueParser<Value = Self> {
+    pub(super) fn parser() -> impl TypedValueParser<Value = Self> {
         OsStringValueParser::new().try_map(Self::parse)
     }
 
@@ -40,7 +41,7 @@ impl ModelArg {
 
     /// The name in messages: what was written on the command line.
     #[must_use]
-    pub fn name(&self) -> PathBuf {
+    pub(super) fn name(&self) -> PathBuf {
         match self {
             Self::File(path) => path.clone(),
             Self::Stdin => "standard input".into(),
@@ -50,7 +51,7 @@ impl ModelArg {
 
     /// What `{stem}` stands for.
     #[must_use]
-    pub fn stem(&self) -> OsString {
+    pub(super) fn stem(&self) -> OsString {
         match self {
             Self::File(path) => path.file_stem().unwrap_or_default().to_owned(),
             Self::Stdin => "stdin".into(),
@@ -61,11 +62,11 @@ impl ModelArg {
 
 /// Where an output goes, `{stem}` still in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OutputArg(PathBuf);
+pub(super) struct OutputArg(PathBuf);
 
 impl OutputArg {
     /// The parser for clap.
-    pub fn parser() -> impl TypedValueParser<Value = Self> {
+    pub(super) fn parser() -> impl TypedValueParser<Value = Self> {
         OsStringValueParser::new().try_map(|text| {
             if text.is_empty() {
                 Err("an empty name: name a file, or `-` for standard output")
@@ -77,25 +78,25 @@ impl OutputArg {
 
     /// As it was written.
     #[must_use]
-    pub fn path(&self) -> &Path {
+    pub(super) fn path(&self) -> &Path {
         &self.0
     }
 
     /// Whether it is standard output.
     #[must_use]
-    pub fn is_stdout(&self) -> bool {
+    pub(super) fn is_stdout(&self) -> bool {
         self.0.as_os_str() == "-"
     }
 
     /// Whether it has a place for the model's name.
     #[must_use]
-    pub fn has_stem(&self) -> bool {
+    pub(super) fn has_stem(&self) -> bool {
         self.0.to_str().is_some_and(|text| text.contains(STEM))
     }
 
     /// The output for a model of this name.
     #[must_use]
-    pub fn with_stem(&self, stem: &OsString) -> Destination {
+    pub(super) fn with_stem(&self, stem: &OsString) -> Destination {
         if self.is_stdout() {
             return Destination::Stdout;
         }
@@ -112,10 +113,10 @@ impl OutputArg {
 }
 
 /// The place for the model's name in an output's.
-pub const STEM: &str = "{stem}";
+pub(super) const STEM: &str = "{stem}";
 
 /// Three numbers, `X,Y,Z`.
-pub fn vector(text: &str) -> Result<DVec3, String> {
+pub(super) fn vector(text: &str) -> Result<DVec3, String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
     match numbers.as_deref() {
         Some(&[x, y, z]) if x.is_finite() && y.is_finite() && z.is_finite() => Ok(DVec3::new(x, y, z)),
@@ -124,7 +125,7 @@ pub fn vector(text: &str) -> Result<DVec3, String> {
 }
 
 /// Three numbers of which one is not 0: a direction of any length.
-pub fn direction(text: &str) -> Result<DVec3, String> {
+pub(super) fn direction(text: &str) -> Result<DVec3, String> {
     let vector = vector(text)?;
     if vector == DVec3::ZERO {
         return Err("0,0,0 is no direction: at least one number must not be 0".to_owned());
@@ -133,40 +134,40 @@ pub fn direction(text: &str) -> Result<DVec3, String> {
 }
 
 /// A finite number.
-pub fn number(text: &str) -> Result<f64, String> {
+pub(super) fn number(text: &str) -> Result<f64, String> {
     let finite = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
     finite.ok_or_else(|| "write a finite number".to_owned())
 }
 
 /// An angle of view in degrees, in (0, 180).
-pub fn view_angle(text: &str) -> Result<f64, String> {
+pub(super) fn view_angle(text: &str) -> Result<f64, String> {
     let inside = number(text).ok().filter(|angle| 0.0 < *angle && *angle < 180.0);
     inside.ok_or_else(|| "write degrees, more than 0 and less than 180".to_owned())
 }
 
 /// A length, more than 0.
-pub fn length(text: &str) -> Result<f64, String> {
+pub(super) fn length(text: &str) -> Result<f64, String> {
     let positive = number(text).ok().filter(|length| *length > 0.0);
     positive.ok_or_else(|| "write a length in world units, more than 0".to_owned())
 }
 
 /// A share, 0 to 1.
-pub fn share(text: &str) -> Result<f32, String> {
+pub(super) fn share(text: &str) -> Result<f32, String> {
     let share = text.trim().parse().ok().filter(|share: &f32| (0.0..=1.0).contains(share));
     share.ok_or_else(|| "write a number from 0 to 1".to_owned())
 }
 
 /// Width and height of a picture, not yet held against what is possible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Resolution {
+pub(super) struct Resolution {
     /// Pixels from left to right.
-    pub width: u64,
+    pub(super) width: u64,
     /// Pixels from top to bottom.
-    pub height: u64,
+    pub(super) height: u64,
 }
 
 /// Two whole numbers, `W,H` or `WxH`.
-pub fn resolution(text: &str) -> Result<Resolution, String> {
+pub(super) fn resolution(text: &str) -> Result<Resolution, String> {
     let side = |text: &str| {
         let text = text.trim();
         let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -182,7 +183,7 @@ pub fn resolution(text: &str) -> Result<Resolution, String> {
 
 /// A background: a colour, or nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Background {
+pub(super) enum Background {
     /// Transparent.
     Nothing,
     /// Filled.
@@ -190,7 +191,7 @@ pub enum Background {
 }
 
 /// A colour, or `none`.
-pub fn background(text: &str) -> Result<Background, String> {
+pub(super) fn background(text: &str) -> Result<Background, String> {
     if text.eq_ignore_ascii_case("none") {
         return Ok(Background::Nothing);
     }
@@ -198,7 +199,7 @@ pub fn background(text: &str) -> Result<Background, String> {
 }
 
 /// The number of samples of a pixel.
-pub fn samples(text: &str) -> Result<Samples, String> {
+pub(super) fn samples(text: &str) -> Result<Samples, String> {
     match text.trim() {
         "1" => Ok(Samples::One),
         "4" => Ok(Samples::Four),
@@ -207,48 +208,8 @@ pub fn samples(text: &str) -> Result<Samples, String> {
     }
 }
 
-/// Which axis of the world points upward.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Up {
-    /// +X.
-    PlusX,
-    /// −X.
-    MinusX,
-    /// +Y: OBJ, PLY, glTF and the standard shapes.
-    PlusY,
-    /// −Y.
-    MinusY,
-    /// +Z: STL, as printers and CAD have it.
-    PlusZ,
-    /// −Z.
-    MinusZ,
-}
-
-impl Up {
-    /// The axis itself.
-    #[must_use]
-    pub fn axis(self) -> DVec3 {
-        self.turned(DVec3::Y)
-    }
-
-    /// A vector that is given for +Y upward, for this axis upward: turned by a quarter or half a turn, so that no
-    /// number changes but in place and sign.
-    #[must_use]
-    pub fn turned(self, v: DVec3) -> DVec3 {
-        let DVec3 { x, y, z } = v;
-        match self {
-            Self::PlusY => v,
-            Self::MinusY => DVec3::new(x, -y, -z),
-            Self::PlusZ => DVec3::new(x, -z, y),
-            Self::MinusZ => DVec3::new(x, z, -y),
-            Self::PlusX => DVec3::new(y, -x, z),
-            Self::MinusX => DVec3::new(-y, x, z),
-        }
-    }
-}
-
 /// An axis: `+Y`, `-Z`, `X`, …
-pub fn up(text: &str) -> Result<Up, String> {
+pub(super) fn up(text: &str) -> Result<Up, String> {
     match text.to_ascii_uppercase().as_str() {
         "X" | "+X" => Ok(Up::PlusX),
         "-X" => Ok(Up::MinusX),
@@ -262,7 +223,7 @@ pub fn up(text: &str) -> Result<Up, String> {
 
 /// How surfaces are shaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ShadingArg {
+pub(super) enum ShadingArg {
     /// Colours are written as the file has them
     Unlit,
     /// Each triangle by the direction that its plane faces
@@ -280,7 +241,7 @@ impl From<ShadingArg> for Shading {
 
 /// Which sides of surfaces are left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CullArg {
+pub(super) enum CullArg {
     /// Both sides are drawn
     None,
     /// Without those that face away from the viewer
@@ -306,8 +267,9 @@ mod tests {
 
     use polosa_math::glam::DVec3;
 
-    use super::{ModelArg, OutputArg, Resolution, Up, direction, length, resolution, up, vector, view_angle};
+    use super::{ModelArg, OutputArg, Resolution, direction, length, resolution, up, vector, view_angle};
     use crate::output::Destination;
+    use crate::view::Up;
 
     #[test]
     fn texts_become_values_or_say_how_they_are_written() {

@@ -5,9 +5,10 @@ use std::io::Read as _;
 use polosa_math::Placement;
 use polosa_scene::import::{self, Format, MAX_FILE, Part, Skipped};
 
-use super::args::{ModelArg, Up};
+use super::args::ModelArg;
 use crate::error::Error;
 use crate::guard::caught;
+use crate::view::Up;
 
 /// A model that was read, or a shape that was made.
 #[derive(Debug)]

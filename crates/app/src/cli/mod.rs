@@ -8,7 +8,7 @@
 //! Exit status: 0 when all is done, 1 when something was not, 2 for wrong usage. Every failure is one line on
 //! standard error.
 
-pub mod args;
+mod args;
 mod info;
 mod job;
 mod load;

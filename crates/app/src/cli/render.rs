@@ -1,5 +1,6 @@
 //! `polosa render`: models become pictures.
 
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -11,18 +12,18 @@ use polosa_scene::{
     World,
 };
 
-use super::args::{Background, ModelArg, Up};
+use super::args::{Background, ModelArg};
 use super::job::{Job, jobs};
 use super::load::Source;
 use super::progress::Progress;
 use super::render_args::RenderArgs;
 use super::{complain, report, tell};
 use crate::encode;
-use crate::error::Error;
+use crate::error::{Error, one_line};
 use crate::guard::caught;
 use crate::output::Destination;
 use crate::pfm;
-use crate::view::{Lens, View};
+use crate::view::{Lens, Up, View};
 
 /// The largest number that a 24-bit colour holds.
 const MOST_IDS: u64 = (1 << 24) - 1;
@@ -153,6 +154,9 @@ fn make<'a>(
     let picture = Picture::render(renderer, &world, &camera, &light(args), &style(args), settings)
         .map_err(|error| Error::file(name, error.to_string()))?;
     progress.step();
+    if !args.json {
+        progress.aside(|| warn_of_gaps(name, &picture.stats));
+    }
     let drawn = Instant::now();
 
     progress.now(&format!("writing {}", name.display()));
@@ -201,7 +205,7 @@ fn load(
     let mut facts = Vec::new();
     let mut ups = Vec::new();
     for model in models {
-        let name = crate::error::one_line(&model.name().to_string_lossy());
+        let name = one_line(&model.name().to_string_lossy());
         progress.now(&format!("reading {name}"));
         let source = Source::open(model)?;
         ups.push(source.up());
@@ -233,7 +237,21 @@ fn load(
 /// Says what of a model the picture does not show.
 fn warn(fact: &ModelFacts, source: &Source) {
     for note in &source.notes {
-        tell(&format!("polosa: {}: note: {}\n", fact.name, crate::error::one_line(note)), true);
+        tell(&format!("polosa: {}: note: {}\n", fact.name, one_line(note)), true);
+    }
+}
+
+/// Says what is missing from the picture that should be in it.
+fn warn_of_gaps(picture: &Path, stats: &DrawStats) {
+    let count = stats.triangles.not_finite + stats.lines.not_finite;
+    if count > 0 {
+        let picture = one_line(&picture.to_string_lossy());
+        tell(
+            &format!(
+                "polosa: {picture}: note: {count} faces or edges with coordinates that are not finite are left out\n"
+            ),
+            true,
+        );
     }
 }
 

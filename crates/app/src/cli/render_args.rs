@@ -6,7 +6,8 @@ use clap::Args;
 use polosa_math::glam::DVec3;
 use polosa_scene::{Color, Samples, Shape};
 
-use super::args::{self, Background, CullArg, ModelArg, OutputArg, Resolution, ShadingArg, Up};
+use super::args::{self, Background, CullArg, ModelArg, OutputArg, Resolution, ShadingArg};
+use crate::view::Up;
 
 const CAMERA: &str = "Camera";
 const LOOKS: &str = "Looks";

@@ -56,6 +56,20 @@ fn unlit_vertex_and_face_colors_are_the_files_codes() {
 }
 
 #[test]
+fn unlit_gltf_base_colors_are_their_codes() {
+    // 0.5 of linear light is code 188 of sRGB; the buffer holds (0, 0, 0), (9, 0, 0), (0, 9, 0).
+    let model = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+        "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0.5,1]}}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[9,9,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,DATA"}]}"#;
+    let folder = Folder::new()
+        .with("m.gltf", model.replace("DATA", "AAAAAAAAAAAAAAAAAAAQQQAAAAAAAAAAAAAAAAAAEEEAAAAA"));
+    assert_eq!(count(&folder.render(&format!("m.gltf {TO_SCALE}")), rgb(255, 0, 188)), 9 * 8 / 2);
+}
+
+#[test]
 fn distances_are_along_the_axis_and_infinite_where_nothing_is() {
     let folder = Folder::new().with("square.obj", SQUARE);
     for lens in
