@@ -21,9 +21,9 @@ impl Renderer {
         Self::default()
     }
 
-    /// Draws a world as a camera sees it, over what the target holds: surfaces in the order in which the
-    /// objects were added, then edges over surfaces, then wire. Pixels are `0x00RRGGBB`; the depth is reversed, so clear it with
-    /// [`DepthTest::Greater`](polosa_raster::DepthTest::Greater).
+    /// Draws a world as a camera sees it, over what the target holds: surfaces in the order in which the objects
+    /// were added, then edges over surfaces, then wire. Pixels are `0x00RRGGBB`; depth is reversed, so clear it
+    /// with [`DepthTest::Greater`](polosa_raster::DepthTest::Greater).
     ///
     /// The target's width to height should be the camera's aspect; nothing is lost if not, but the picture is
     /// stretched.

@@ -1,11 +1,11 @@
 //! Light and flat shading, in linear light.
 
+use polosa_math::Placement;
 use polosa_math::glam::{DMat3, DVec3};
 use polosa_math::view::unit;
 
 use crate::srgb;
 use crate::{Camera, Color};
-use polosa_math::Placement;
 
 /// What a light's direction is fixed to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
