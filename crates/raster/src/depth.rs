@@ -15,6 +15,7 @@
 //! slivers, and any other anchor a thousand times more on a floor that runs to the horizon.
 
 use crate::edge::{Edge, PixelEdge};
+use crate::snap::PIXEL;
 use crate::{Sample, Triangle};
 
 /// A triangle's depth at every pixel it covers.
@@ -48,7 +49,7 @@ impl Triangle {
         let rest = edges.map(|edge| to_f64(edge.rest));
         DepthPlane {
             c: to_f32(f64::from(z[anchor]) + (rest[0] * delta[0] + rest[1] * delta[1]) / area),
-            q: delta.map(|d| to_f32(256.0 * d / area)),
+            q: delta.map(|d| to_f32(to_f64(PIXEL) * d / area)),
             most: z[0].max(z[1]).max(z[2]),
             edges,
             narrow: self.area() >> 8 <= i64::from(i32::MAX),

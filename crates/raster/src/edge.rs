@@ -4,11 +4,8 @@
 //! and the point. The three edge functions of a triangle are positive inside it; divided by its area they are
 //! the barycentric weights of the opposite corners.
 
-use polosa_math::SUB_PIXELS;
-
+use crate::snap::PIXEL;
 use crate::{Corner, Sample, Triangle};
-
-const STEP: i64 = SUB_PIXELS as i64;
 
 /// The edge function of one side: `x·X + y·Y + constant` at the sub-pixel (X, Y).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +59,7 @@ impl Edge {
     pub(crate) fn at_pixels(&self, sample: Sample) -> PixelEdge {
         let [x, y] = sample.sub_pixels().map(i64::from);
         let first = self.x * x + self.y * y + self.constant;
-        PixelEdge { x: self.x, y: self.y, first: first.div_euclid(STEP), rest: first.rem_euclid(STEP) }
+        PixelEdge { x: self.x, y: self.y, first: first.div_euclid(PIXEL), rest: first.rem_euclid(PIXEL) }
     }
 }
 
@@ -88,6 +85,6 @@ impl PixelEdge {
     /// E at a pixel.
     #[inline]
     pub(crate) fn whole(&self, x: u32, y: u32) -> i64 {
-        self.at(x, y) * STEP + self.rest
+        self.at(x, y) * PIXEL + self.rest
     }
 }

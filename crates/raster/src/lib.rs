@@ -65,6 +65,7 @@ mod depth;
 mod edge;
 mod fill;
 mod line;
+mod outline;
 mod setup;
 mod shade;
 mod snap;

@@ -14,35 +14,13 @@
 //! **Depth.** Linear between the ends' depths, at the point q where the line crosses the pixel's column (steep
 //! lines: row), computed in `f64` and rounded once.
 //!
-//! **The faces it outlines.** The pixel's sample p lies up to half a pixel beside q, where a steep face that
-//! holds the line can be a good deal nearer than the line is. So a pixel that fails the depth test is drawn all
-//! the same when what hides it is a face around the line (its stored depth is *bit for bit* that face's, since
-//! depth is one formula) and no such face hides the point q itself. One that holds both ends of the line cannot;
-//! one that holds an end V can where it is nearer at q than the line, and covers q. Unless the stored face holds
-//! the line, it does as well where q lies beyond its side opposite V: the line runs behind it, and what it runs
-//! behind from there on, half a pixel off, is not known. No bias, no slope factor; what lies really in front
-//! stays in front.
-//!
-//! ```text
-//!         V ●────────●                 V ●────────●
-//!          ╱ ╲ face ╱ ·q                ╱ ╲ face ╱
-//!         ╱ q ╲    ╱                   ╱   ╲·p ╱ ·q
-//!        ╱  ·p ╲  ╱                   ╱     ╲ ╱
-//!       ●───────●                    ●───────●
-//!   beside the sector at V: in sight   inside it: behind
-//! ```
-
-use polosa_math::SUB_PIXELS;
+//! **The faces it outlines** do not hide it: see `outline`.
 
 use crate::depth::Stored;
-use crate::edge::Edge;
-use crate::setup::{Piece, Setup};
+use crate::outline::Faces;
+use crate::setup::Setup;
+use crate::snap::PIXEL;
 use crate::{Clip, Corner, Cull, Depth, DepthTest, Rect, State, Stats, Target};
-
-const STEP: i64 = SUB_PIXELS as i64;
-
-/// Faces around a line that are kept prepared; what exceeds it is prepared anew for each pixel.
-const KEPT: usize = 16;
 
 impl<P: Copy> Target<'_, P> {
     /// Draws lines, each a pair of indices into `vertices`, in order. Culling does not concern them.
@@ -121,17 +99,17 @@ fn test<S: Stored, I: Iterator<Item = [u32; 3]>>(
 }
 
 /// One pixel of a line.
-struct Point {
-    x: u32,
-    y: u32,
-    z: f32,
+pub(crate) struct Point {
+    pub(crate) x: u32,
+    pub(crate) y: u32,
+    pub(crate) z: f32,
     /// The point q on the line itself, in sub-pixels times `scale`.
-    q: [i64; 2],
-    scale: i64,
+    pub(crate) q: [i64; 2],
+    pub(crate) scale: i64,
     /// Depth at q, not rounded.
-    depth: f64,
+    pub(crate) depth: f64,
     /// Whether q is the line's start, or its end.
-    is_end: [bool; 2],
+    pub(crate) is_end: [bool; 2],
 }
 
 /// The pixels of a line, along its longer axis (`major`) with pixel centres at multiples of 256.
@@ -169,9 +147,9 @@ impl Walk {
         let mut walk = Self { state: *state, clip, steep, mirrored, start, extent, z: [a.z, b.z], columns };
         // The first centre at or after the start, the last one at or before the end. A start just past the
         // centre of a diamond still leaves it; an end inside one does not.
-        let first = (start[0] + STEP - 1).div_euclid(STEP);
+        let first = (start[0] + PIXEL - 1).div_euclid(PIXEL);
         let first = first - i64::from(walk.in_diamond(start, first - 1, nearest(start[1], 1)));
-        let last = end[0].div_euclid(STEP);
+        let last = end[0].div_euclid(PIXEL);
         let last = last - i64::from(walk.in_diamond(end, last, walk.row(last)));
         // Only those in the picture.
         let (low, high) = if steep { (clip.y0, clip.y1) } else { (clip.x0, clip.x1) };
@@ -184,7 +162,7 @@ impl Walk {
     /// How far along the line it crosses a column's centre, in sub-pixels on the longer axis; its start, where
     /// that lies past the centre already. (No column that is asked for lies past the end.)
     fn along(&self, column: i64) -> i64 {
-        (column * STEP - self.start[0]).max(0)
+        (column * PIXEL - self.start[0]).max(0)
     }
 
     /// The line's place on the shorter axis there, times the extent on the longer one.
@@ -199,12 +177,12 @@ impl Walk {
 
     /// Whether a place lies inside the diamond of a column and a row.
     fn in_diamond(&self, place: [i64; 2], column: i64, row: i64) -> bool {
-        let off = [place[0] - column * STEP, place[1] - row * STEP];
+        let off = [place[0] - column * PIXEL, place[1] - row * PIXEL];
         // The top and the left corner: one lies towards lesser places on the longer axis, before mirroring.
         // A line from left corner to top corner, down at 45°, would take two pixels in each column: not the left.
-        let corner = if self.mirrored { STEP / 2 } else { -STEP / 2 };
+        let corner = if self.mirrored { PIXEL / 2 } else { -PIXEL / 2 };
         let down = self.extent[1].abs() == self.extent[0] && (self.extent[1] < 0) == self.mirrored;
-        off[0].abs() + off[1].abs() < STEP / 2 || off == [0, -STEP / 2] || (off == [corner, 0] && !down)
+        off[0].abs() + off[1].abs() < PIXEL / 2 || off == [0, -PIXEL / 2] || (off == [corner, 0] && !down)
     }
 
     /// Depth at a distance from the start, in sub-pixels along the longer axis, from the farther end on: not
@@ -250,129 +228,5 @@ impl Iterator for Walk {
 
 /// The row nearest to a place that is given times `scale`; exactly between two, the greater.
 const fn nearest(place: i64, scale: i64) -> i64 {
-    (place + STEP / 2 * scale).div_euclid(STEP * scale)
-}
-
-/// The faces around a line, prepared when the first pixel asks for them.
-struct Faces<'a, F> {
-    setup: &'a Setup,
-    state: &'a State,
-    vertices: &'a [Clip],
-    line: [u32; 2],
-    faces: F,
-    kept: Option<Kept>,
-}
-
-/// A piece of a face, and where among the face's corners the line's ends are.
-#[derive(Clone, Copy)]
-struct Near {
-    piece: Piece,
-    ends: [Option<usize>; 2],
-}
-
-struct Kept {
-    near: [Option<Near>; KEPT],
-    all: bool,
-}
-
-impl<I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'_, F> {
-    /// Whether what is stored at the pixel is a face around the line, and none of them hides the line's own
-    /// point. A face of the other facing than that one may have been culled: it hides nothing.
-    fn only_seem_to_hide<S: Stored>(&mut self, point: &Point, stored: S) -> bool {
-        self.keep();
-        let mut stored_face = None;
-        self.any(&mut |near| {
-            let seems = near.is_stored(self.state, point, stored) && !near.hides(self.state, point, true);
-            if seems {
-                stored_face = Some((near.piece.triangle.facing(), near.holds_line()));
-            }
-            seems
-        });
-        stored_face.is_some_and(|(facing, own)| {
-            !self.any(&mut |near| {
-                near.piece.triangle.facing() == facing && near.hides(self.state, point, !own)
-            })
-        })
-    }
-
-    /// Prepares the faces, as many as there is room for.
-    fn keep(&mut self) {
-        if self.kept.is_some() {
-            return;
-        }
-        let mut kept = Kept { near: [None; KEPT], all: true };
-        let mut count = 0;
-        self.each(&mut |near| {
-            match kept.near.get_mut(count) {
-                Some(place) => *place = Some(*near),
-                None => kept.all = false,
-            }
-            count += 1;
-            false
-        });
-        self.kept = Some(kept);
-    }
-
-    /// Whether `check` says yes to a piece of a face.
-    fn any(&self, check: &mut impl FnMut(&Near) -> bool) -> bool {
-        match &self.kept {
-            Some(Kept { near, all: true }) => near.iter().flatten().any(check),
-            _ => self.each(check),
-        }
-    }
-
-    /// Hands the pieces of all faces to `visit` until it says yes.
-    fn each(&self, visit: &mut impl FnMut(&Near) -> bool) -> bool {
-        let mut found = false;
-        for face in (self.faces)() {
-            let [Some(a), Some(b), Some(c)] = face.map(|k| self.vertices.get(k as usize)) else { continue };
-            let ends = self.line.map(|end| face.iter().position(|&corner| corner == end));
-            self.setup.triangle([a, b, c], &mut Stats::default(), |piece| {
-                found = found || visit(&Near { piece: *piece, ends });
-            });
-            if found {
-                break;
-            }
-        }
-        found
-    }
-}
-
-impl Near {
-    fn holds_line(&self) -> bool {
-        self.ends.iter().all(Option::is_some)
-    }
-
-    /// Whether the stored depth is this face's.
-    fn is_stored<S: Stored>(&self, state: &State, point: &Point, stored: S) -> bool {
-        let triangle = &self.piece.triangle;
-        let [sx, sy] = state.sample.sub_pixels().map(i64::from);
-        let (x, y) = (i64::from(point.x) * STEP + sx, i64::from(point.y) * STEP + sy);
-        (0..3).all(|k| Edge::opposite(triangle, k).covers(x, y))
-            && S::store(triangle.depth(state.sample).at(point.x, point.y)) == stored
-    }
-
-    /// Whether this face covers the line's own point and is nearer there; `beyond`: or would, did it not end
-    /// at the side opposite the end that it shares with the line. It does not where it holds the line, nor at
-    /// the end that it shares: there they meet.
-    #[expect(clippy::cast_precision_loss, reason = "a comparison of depths that differ, or meet in an end")]
-    fn hides(&self, state: &State, point: &Point, beyond: bool) -> bool {
-        if self.holds_line() || (0..2).any(|k| self.ends[k].is_some() && point.is_end[k]) {
-            return false;
-        }
-        let triangle = &self.piece.triangle;
-        // A cut piece's corners are not the face's.
-        let apex = self.ends[0].or(self.ends[1]).filter(|_| beyond && self.piece.clip.is_none());
-        let e = [0, 1, 2].map(|k| Edge::opposite(triangle, k).at(point.q, point.scale));
-        if (0..3).any(|k| e[k] < 0 && Some(usize::from(triangle.given()[k])) != apex) {
-            return false;
-        }
-        let sum: f64 = (0..3).map(|k| e[k] as f64 * f64::from(triangle.corners()[k].z)).sum();
-        let depth = sum / (triangle.area() as f64 * point.scale as f64);
-        match state.test {
-            DepthTest::Greater => depth > point.depth,
-            DepthTest::Less => depth < point.depth,
-            DepthTest::Off => false,
-        }
-    }
+    (place + PIXEL / 2 * scale).div_euclid(PIXEL * scale)
 }

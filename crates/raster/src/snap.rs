@@ -1,6 +1,9 @@
 //! The only gate from floating point to sub-pixels.
 
-use polosa_math::Viewport;
+use polosa_math::{SUB_PIXELS, Viewport};
+
+/// A pixel in sub-pixels, wide enough for products.
+pub(crate) const PIXEL: i64 = SUB_PIXELS as i64;
 
 /// Snapped vertices stay within ± this many sub-pixels: 2²³ − 2, just inside Direct3D 11's 16.8 bits.
 ///

@@ -19,11 +19,8 @@
 //! `dx / dy`, kept as a quotient and a remainder; nothing is ever rounded. (An integer walker of this kind is
 //! Bresenham's; the ceiling is the top-left rule.)
 
-use polosa_math::SUB_PIXELS;
-
+use crate::snap::PIXEL;
 use crate::{Corner, Rect, Sample, Triangle};
-
-const STEP: i64 = SUB_PIXELS as i64;
 
 /// One row of a triangle: the pixels `x0..x1` of row `y`, at least one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -123,7 +120,7 @@ impl Side {
         let [sx, sy] = sample.sub_pixels().map(i64::from);
         // ⌈n / 256·dy⌉ = ⌈⌈n / 256⌉ / dy⌉, and the row's own part of n is a multiple of 256.
         let first = dx * (sy - ay) + (ax - sx) * dy;
-        let whole = dx * row + (first + STEP - 1).div_euclid(STEP) + dy - 1;
+        let whole = dx * row + (first + PIXEL - 1).div_euclid(PIXEL) + dy - 1;
         Self {
             x: whole.div_euclid(dy),
             rest: whole.rem_euclid(dy),
@@ -147,7 +144,7 @@ impl Side {
 /// The first row whose sample lies at or below a place.
 #[inline]
 fn first_at(place: i32, sample: u8) -> i64 {
-    (i64::from(place) - i64::from(sample) + STEP - 1).div_euclid(STEP)
+    (i64::from(place) - i64::from(sample) + PIXEL - 1).div_euclid(PIXEL)
 }
 
 #[cfg(test)]
