@@ -129,30 +129,34 @@ struct ShadedStrip<'a> {
 
 impl ShadedStrip<'_> {
     #[inline]
-    fn fill<P, S: Stored>(&self, depth: &mut [S], color: &mut [P], shade: &impl Shade<P>) {
+    fn fill<P: Copy, S: Stored>(&self, depth: &mut [S], color: &mut [P], shade: &impl Shade<P>) {
         let Strip { x0, y, x1 } = self.strip;
         let items = (x0..x1).zip(depth.iter_mut().zip(color));
         self.plane.row(x0, y, items, |(x, (depth, color)), z| {
             let new = S::store(z);
-            if self.state.test.passes(new, *depth)
-                && shade.fragment(&self.fragment(x, z), color)
-                && self.state.write
-            {
+            if self.state.test.passes(new, *depth) && self.shade(x, z, color, shade) && self.state.write {
                 *depth = new;
             }
         });
     }
 
     #[inline]
-    fn fill_untested<P>(&self, color: &mut [P], shade: &impl Shade<P>) {
+    fn fill_untested<P: Copy>(&self, color: &mut [P], shade: &impl Shade<P>) {
         let Strip { x0, y, x1 } = self.strip;
         self.plane.row(x0, y, (x0..x1).zip(color), |(x, color), z| {
-            shade.fragment(&self.fragment(x, z), color);
+            self.shade(x, z, color, shade);
         });
     }
 
+    /// Shades one fragment; a pixel that is discarded keeps its value, whatever was written to it before.
     #[inline]
-    const fn fragment(&self, x: u32, depth: f32) -> Fragment<'_> {
-        Fragment { x, y: self.strip.y, depth, triangle: self.triangle, weights: self.weights }
+    fn shade<P: Copy>(&self, x: u32, depth: f32, pixel: &mut P, shade: &impl Shade<P>) -> bool {
+        let fragment = Fragment { x, y: self.strip.y, depth, triangle: self.triangle, weights: self.weights };
+        let mut value = *pixel;
+        let kept = shade.fragment(&fragment, &mut value);
+        if kept {
+            *pixel = value;
+        }
+        kept
     }
 }

@@ -51,7 +51,7 @@ impl Setup {
             stats.not_finite += 1;
             return;
         }
-        let Some(triangle) = Triangle::new(corners.map(|corner| snap(&self.viewport, corner))) else {
+        let Some(triangle) = Triangle::sorted(corners.map(|corner| snap(&self.viewport, corner))) else {
             stats.degenerate += 1;
             return;
         };
@@ -102,7 +102,7 @@ impl Setup {
         }
         stats.drawn += 1;
         for piece in pieces {
-            let Some(triangle) = Triangle::new(piece.map(corner)) else { continue };
+            let Some(triangle) = Triangle::sorted(piece.map(corner)) else { continue };
             if triangle.facing() == facing {
                 let clip = piece.map(|k| vertices[k % count].weights.map(to_f32));
                 draw(&Piece { triangle, clip: Some(clip) });

@@ -6,7 +6,7 @@ use crate::Weights;
 ///
 /// [`Flat`] and [`PerTriangle`] are the fast ways; a closure `Fn(&Fragment, &mut P) -> bool` can look at the
 /// fragment's place, depth and weights, blend with what is there, and discard by returning `false`, which
-/// leaves the stored depth as it was.
+/// leaves pixel and stored depth as they were.
 pub trait Shade<P> {
     /// Whether every fragment is kept and none looks at what is there already.
     const OPAQUE: bool = false;
@@ -17,7 +17,7 @@ pub trait Shade<P> {
         None
     }
 
-    /// Writes a fragment to `pixel`; `false` discards it.
+    /// Writes a fragment to `pixel`, which holds what is there; `false` discards it, whatever was written.
     fn fragment(&self, fragment: &Fragment<'_>, pixel: &mut P) -> bool;
 }
 

@@ -1,6 +1,7 @@
 //! A triangle on the sub-pixel grid: sorted, its area and facing exact.
 
 use crate::Corner;
+use crate::snap::GUARD;
 
 /// Which side of a triangle the viewer sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,9 +38,34 @@ pub struct Triangle {
 }
 
 impl Triangle {
-    /// Sorts three corners; `None` when they lie on one line.
+    /// Sorts three corners; `None` when they lie on one line, or when one is no vertex that could be drawn: more
+    /// than 2²³ − 2 sub-pixels (32,768 pixels) off, depth not from 0 to 1, w not positive and finite.
+    ///
+    /// ```
+    /// use polosa_raster::{Corner, Facing, Rect, Sample, Triangle};
+    ///
+    /// let corner = |x: i32, y: i32, z| Corner { x: 256 * x, y: 256 * y, z, w: 1.0 };
+    /// let triangle = Triangle::new([corner(0, 0, 0.0), corner(0, 4, 1.0), corner(4, 0, 0.0)]).unwrap();
+    /// assert_eq!(triangle.facing(), Facing::Front);
+    ///
+    /// let clip = Rect { x0: 0, y0: 0, x1: 8, y1: 8 };
+    /// let pixels: u32 = triangle.strips(Sample::CENTER, clip).map(|strip| strip.x1 - strip.x0).sum();
+    /// assert_eq!(pixels, 3 + 2 + 1);
+    /// assert_eq!(triangle.depth(Sample::CENTER).at(0, 2), 0.625);
+    /// assert_eq!(triangle.weights(Sample::CENTER, None).at(0, 2), [0.25, 0.625, 0.125]);
+    /// ```
+    #[must_use]
+    pub fn new(corners: [Corner; 3]) -> Option<Self> {
+        let can_be_drawn = |corner: &Corner| {
+            let on_grid = [corner.x, corner.y].iter().all(|v| (-GUARD..=GUARD).contains(v));
+            on_grid && (0.0..=1.0).contains(&corner.z) && corner.w > 0.0 && corner.w.is_finite()
+        };
+        if corners.iter().all(can_be_drawn) { Self::sorted(corners) } else { None }
+    }
+
+    /// Sorts three corners that snapping made; `None` when they lie on one line.
     #[inline]
-    pub(crate) fn new(given: [Corner; 3]) -> Option<Self> {
+    pub(crate) fn sorted(given: [Corner; 3]) -> Option<Self> {
         let mut order: [u8; 3] = [0, 1, 2];
         let mut corners = given;
         let mut odd = false;
@@ -122,5 +148,23 @@ mod tests {
             assert_eq!(other.given().map(|k| turn[usize::from(k)]), *other.corners());
         }
         assert!(Triangle::new([corner(0, 0), corner(50, 50), corner(100, 100)]).is_none());
+    }
+
+    #[test]
+    fn corners_that_no_drawing_makes_are_refused() {
+        let good = Corner { x: 0, y: 0, z: 0.5, w: 1.0 };
+        let others = [Corner { x: 100, ..good }, Corner { y: 100, ..good }];
+        let with = |corner| Triangle::new([corner, others[0], others[1]]);
+        assert!(with(good).is_some() && with(Corner { x: -GUARD, ..good }).is_some());
+        for bad in [
+            Corner { x: GUARD + 1, ..good },
+            Corner { y: i32::MIN, ..good },
+            Corner { z: -0.1, ..good },
+            Corner { z: f32::NAN, ..good },
+            Corner { w: 0.0, ..good },
+            Corner { w: f64::INFINITY, ..good },
+        ] {
+            assert!(with(bad).is_none(), "{bad:?}");
+        }
     }
 }

@@ -194,16 +194,17 @@ fn a_fragment_knows_its_place_depth_and_triangle() {
     assert!(seen > 30, "{seen}");
 }
 
-/// What a shade discards leaves no depth, so that what comes later and farther is seen through it.
+/// What a shade discards leaves neither colour nor depth, so that what comes later and farther is seen through it.
 #[test]
-fn a_discarded_fragment_leaves_no_depth() {
+fn a_discarded_fragment_leaves_nothing() {
     let wall = |z| [px(0.0, 0.0, z), px(32.0, 0.0, z), px(0.0, 32.0, z)];
     let mut picture = Picture::new(16, 16);
     let grate = |f: &Fragment<'_>, pixel: &mut u32| {
-        *pixel = 1; // a shade may write and still discard: then depth tells that it did
+        *pixel = 1; // also where it is discarded
         (f.x() + f.y()) % 2 == 0
     };
     picture.target().triangles(&on_screen(), &wall(0.75), &[[0, 1, 2]], &grate);
+    assert_eq!((picture.at(0, 0), picture.at(1, 0)), (1, 0));
     picture.target().triangles(&on_screen(), &wall(0.25), &[[0, 1, 2]], &Flat(2));
     for k in 0..256 {
         let (x, y) = (k % 16, k / 16);
