@@ -54,6 +54,7 @@ pub mod draw;
 pub mod import;
 pub mod light;
 pub mod mesh;
+mod object;
 mod outline;
 pub mod picture;
 pub mod shape;
@@ -69,12 +70,13 @@ pub use color::{Color, ParseColorError};
 pub use draw::Renderer;
 pub use light::{Light, LightSpace, Shading};
 pub use mesh::{Colors, Corners, Mesh, MeshError};
+pub use object::{Object, Show};
 pub use picture::{Picture, PictureSettings, Samples};
 pub use shape::{Shape, ShapeError};
 pub use stats::DrawStats;
 pub use style::Style;
 pub use subdivide::subdivide;
-pub use world::{MeshKey, Object, ObjectKey, Show, World, WorldError};
+pub use world::{MeshKey, ObjectKey, World, WorldError};
 
 /// The examples of the README are tests, too.
 #[cfg(doctest)]
