@@ -31,8 +31,8 @@ impl<P: Copy> Target<'_, P> {
     /// Draws lines that outline faces which were drawn before, with the same `state.space`, `state.sample` and
     /// vertices, into this target.
     ///
-    /// For the line of the given number `around` names the faces that meet it: those that hold it and those
-    /// that share an end of it, as triples of indices like those that were drawn.
+    /// For the line of the given number `around` names the faces that meet it, as triples of indices like those
+    /// that were drawn: first those that hold it, then those that share an end of it. At most 32 are looked at.
     pub fn edges<F: IntoIterator<Item = [u32; 3]>>(
         &mut self,
         state: &State,
@@ -53,7 +53,7 @@ impl<P: Copy> Target<'_, P> {
             };
             let Some(ends) = setup.line([a, b], &mut stats) else { continue };
             let faces = || around(number).into_iter();
-            let faces = Faces { setup: &face_setup, state, vertices, line, faces, kept: None };
+            let faces = Faces::new(&face_setup, state, vertices, line, faces);
             self.line(state, clip, ends, faces, pixel);
         }
         stats

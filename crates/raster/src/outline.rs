@@ -24,17 +24,22 @@ use crate::setup::{Piece, Setup};
 use crate::snap::PIXEL;
 use crate::{Clip, DepthTest, State, Stats};
 
-/// Faces around a line that are kept prepared; what exceeds it is prepared anew for each pixel.
-const KEPT: usize = 16;
+/// How many pieces of faces around a line are looked at.
+///
+/// It bounds what a pixel of a line can cost: at a vertex of ten thousand faces the work would grow with the square
+/// of their number. Fewer than the faces around an ordinary edge (ten or so) would lose pixels where they meet.
+pub(crate) const MOST: usize = 32;
 
 /// The faces around a line, prepared when the first pixel asks for them.
 pub(crate) struct Faces<'a, F> {
-    pub(crate) setup: &'a Setup,
-    pub(crate) state: &'a State,
-    pub(crate) vertices: &'a [Clip],
-    pub(crate) line: [u32; 2],
-    pub(crate) faces: F,
-    pub(crate) kept: Option<Kept>,
+    setup: &'a Setup,
+    state: &'a State,
+    vertices: &'a [Clip],
+    line: [u32; 2],
+    faces: F,
+    /// From the least to the greatest depth of the faces.
+    range: Option<[f32; 2]>,
+    near: Option<[Option<Near>; MOST]>,
 }
 
 /// A piece of a face, and where among the face's corners the line's ends are.
@@ -44,72 +49,74 @@ struct Near {
     ends: [Option<usize>; 2],
 }
 
-/// Prepared faces.
-pub(crate) struct Kept {
-    near: [Option<Near>; KEPT],
-    all: bool,
-}
+impl<'a, I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'a, F> {
+    pub(crate) const fn new(
+        setup: &'a Setup,
+        state: &'a State,
+        vertices: &'a [Clip],
+        line: [u32; 2],
+        faces: F,
+    ) -> Self {
+        Self { setup, state, vertices, line, faces, range: None, near: None }
+    }
 
-impl<I: Iterator<Item = [u32; 3]>, F: Fn() -> I> Faces<'_, F> {
     /// Whether what is stored at the pixel is a face around the line, and none of them hides the line's own
     /// point. A face of the other facing than that one may have been culled: it hides nothing.
     pub(crate) fn only_seem_to_hide<S: Stored>(&mut self, point: &Point, stored: S) -> bool {
-        self.keep();
-        let mut stored_face = None;
-        self.any(&mut |near| {
-            let seems = near.is_stored(self.state, point, stored) && !near.hides(self.state, point, true);
-            if seems {
-                stored_face = Some((near.piece.triangle.facing(), near.holds_line()));
-            }
-            seems
-        });
-        stored_face.is_some_and(|(facing, own)| {
-            !self.any(&mut |near| {
-                near.piece.triangle.facing() == facing && near.hides(self.state, point, !own)
-            })
+        // Most lines that are hidden are so by something far before them: no need to prepare a face for those.
+        let [least, greatest] = match self.range {
+            Some(range) => range,
+            None => *self.range.insert(self.depths()),
+        };
+        if stored < S::store(least) || stored > S::store(greatest) {
+            return false;
+        }
+        let near = match &self.near {
+            Some(near) => near,
+            None => &*self.near.insert(self.prepared()),
+        };
+        let near = || near.iter().flatten();
+        let seems =
+            |near: &&Near| near.is_stored(self.state, point, stored) && !near.hides(self.state, point, true);
+        near().find(seems).is_some_and(|seen| {
+            let facing = seen.piece.triangle.facing();
+            let same = |near: &&Near| near.piece.triangle.facing() == facing;
+            !near().filter(same).any(|near| near.hides(self.state, point, !seen.holds_line()))
         })
     }
 
-    /// Prepares the faces, as many as there is room for.
-    fn keep(&mut self) {
-        if self.kept.is_some() {
-            return;
-        }
-        let mut kept = Kept { near: [None; KEPT], all: true };
-        let mut count = 0;
-        self.each(&mut |near| {
-            match kept.near.get_mut(count) {
-                Some(place) => *place = Some(*near),
-                None => kept.all = false,
-            }
-            count += 1;
-            false
-        });
-        self.kept = Some(kept);
+    /// The faces that are there, as their three vertices.
+    fn faces(&self) -> impl Iterator<Item = ([u32; 3], [&'a Clip; 3])> {
+        let vertices = self.vertices;
+        (self.faces)().take(MOST).filter_map(move |face| {
+            let [Some(a), Some(b), Some(c)] = face.map(|k| vertices.get(k as usize)) else { return None };
+            Some((face, [a, b, c]))
+        })
     }
 
-    /// Whether `check` says yes to a piece of a face.
-    fn any(&self, check: &mut impl FnMut(&Near) -> bool) -> bool {
-        match &self.kept {
-            Some(Kept { near, all: true }) => near.iter().flatten().any(check),
-            _ => self.each(check),
-        }
+    /// The least and the greatest depth of the faces; of one that is cut, anything.
+    fn depths(&self) -> [f32; 2] {
+        self.faces().flat_map(|(_, corners)| corners).fold([1.0, 0.0], |[least, greatest], corner| match self
+            .setup
+            .depth(corner)
+        {
+            Some(depth) => [depth.min(least), depth.max(greatest)],
+            None => [0.0, 1.0],
+        })
     }
 
-    /// Hands the pieces of all faces to `visit` until it says yes.
-    fn each(&self, visit: &mut impl FnMut(&Near) -> bool) -> bool {
-        let mut found = false;
-        for face in (self.faces)() {
-            let [Some(a), Some(b), Some(c)] = face.map(|k| self.vertices.get(k as usize)) else { continue };
+    fn prepared(&self) -> [Option<Near>; MOST] {
+        let mut prepared = [None; MOST];
+        let mut places = prepared.iter_mut();
+        for (face, corners) in self.faces() {
             let ends = self.line.map(|end| face.iter().position(|&corner| corner == end));
-            self.setup.triangle([a, b, c], &mut Stats::default(), |piece| {
-                found = found || visit(&Near { piece: *piece, ends });
+            self.setup.triangle(corners, &mut Stats::default(), |piece| {
+                if let Some(place) = places.next() {
+                    *place = Some(Near { piece: *piece, ends });
+                }
             });
-            if found {
-                break;
-            }
         }
-        found
+        prepared
     }
 }
 

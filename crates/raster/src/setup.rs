@@ -3,7 +3,7 @@
 use polosa_math::Viewport;
 
 use crate::clip::Clipper;
-use crate::snap::snap;
+use crate::snap::{depth, snap};
 use crate::triangle::cross;
 use crate::{Clip, Corner, Cull, Facing, Space, State, Stats, Triangle};
 
@@ -138,6 +138,12 @@ impl Setup {
         }
         stats.drawn += 1;
         Some(ends)
+    }
+
+    /// A vertex's depth; `None` where it has none, beyond the near or the far plane.
+    pub(crate) fn depth(&self, vertex: &Clip) -> Option<f32> {
+        let [[_, _, z, w]] = self.positions([vertex])?;
+        (0.0 <= z && z <= w && w > 0.0).then(|| depth(z, w))
     }
 
     /// Homogeneous positions in `f64`; `None` when a coordinate is not finite.

@@ -41,7 +41,7 @@ pub(crate) fn snap(viewport: &Viewport, [x, y, z, w]: [f64; 4]) -> Corner {
 /// A vertex's depth. Inside the planes `z / w` is in 0..=1 already; what a cut's rounding adds is taken off.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "the one rounding of a vertex's depth")]
-fn depth(z: f64, w: f64) -> f32 {
+pub(crate) fn depth(z: f64, w: f64) -> f32 {
     (z / w).clamp(0.0, 1.0) as f32
 }
 

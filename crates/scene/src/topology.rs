@@ -252,6 +252,22 @@ impl EdgeFaces {
         Self { rows: side_rows(mesh.triangles(), mesh.positions().len()) }
     }
 
+    /// The triangles on an edge, in order; none if it is no side of a triangle.
+    ///
+    /// # Panics
+    ///
+    /// When the mesh has no vertex of the lesser number.
+    pub fn on(&self, [a, b]: [u32; 2]) -> impl Iterator<Item = u32> {
+        let (low, high) = (a.min(b), a.max(b));
+        let row = &self.rows.values[self.rows.range(low as usize)];
+        let from = row.partition_point(|&side| unpack(side).0 < high);
+        row[from..]
+            .iter()
+            .map(|&side| unpack(side))
+            .take_while(move |&(end, _)| end == high)
+            .map(|(_, face)| face)
+    }
+
     /// The edges in the order of [`Mesh::edges`] of a mesh without edges of its own: lower end first; each with
     /// its triangles in order.
     pub fn iter(&self) -> impl Iterator<Item = ([u32; 2], impl Iterator<Item = u32>)> {

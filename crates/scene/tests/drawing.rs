@@ -331,3 +331,19 @@ fn a_mesh_of_nonsense_draws_what_can_be_drawn() {
         }
     }
 }
+
+/// The faces at a hub are not all looked at for each pixel of each spoke: that took minutes.
+#[test]
+fn the_hub_of_ten_thousand_faces_is_outlined_in_no_time() {
+    let rim = (0..10_000).map(|k| f64::from(k) * core::f64::consts::TAU / 10_000.0);
+    let corners = rim.map(|angle| [60.0 * angle.cos() as f32, 60.0 * angle.sin() as f32, 0.0]);
+    let corners: Vec<_> = [[0.0, 0.0, 20.0]].into_iter().chain(corners).collect();
+    let triangles = (1..=10_000).map(|k| [0, k, k % 10_000 + 1]).collect();
+    let mut scene =
+        Scene::new(128).with(Mesh::new(corners, triangles).unwrap(), |object| object.shown(Show::Both));
+    scene.style.edge_color = Color::from_u32(0xff0000);
+    let (began, picture) = (std::time::Instant::now(), scene.render());
+    assert_eq!(picture.stats.lines.drawn, 20_000);
+    assert_eq!(picture.pixels[at(&picture, 64 + 50, 64)], 0xff0000);
+    assert!(began.elapsed().as_secs() < 20, "{:?}", began.elapsed());
+}

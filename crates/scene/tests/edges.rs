@@ -14,19 +14,22 @@ const WIDTH: u32 = 120;
 const HEIGHT: u32 = 90;
 const SIZE: usize = (WIDTH * HEIGHT) as usize;
 
-/// Every kind of shape, coarse, so that faces are larger than pixels.
-const SHAPES: [&str; 15] = [
+/// Every kind of shape, coarse, so that faces are larger than pixels; and a cone with more faces at its tip than are
+/// looked at for an edge.
+const SHAPES: [&str; 17] = [
     "tetrahedron",
     "cube",
     "octahedron",
     "icosahedron",
     "sphere:tetrahedron:2",
+    "sphere:cube:2",
     "sphere:octahedron:2",
     "sphere:icosahedron:1",
     "uv-sphere:12:8",
     "plane",
     "cylinder:16",
     "cone:16",
+    "cone:40",
     "torus:16:8",
     "teapot:2",
     "pyramid",
@@ -133,7 +136,9 @@ fn judge(mesh: &Mesh, camera: &Camera, what: &str, seen: &mut Seen) {
     let (mut whole, mut shown, mut alone) = (vec![0; SIZE], vec![0; SIZE], vec![0; SIZE]);
     let mut own_depth = vec![0.0; SIZE];
     for &edge in mesh.edges().iter() {
-        let around: Vec<_> = view.around(edge).collect();
+        let mut around: Vec<_> = view.around(edge).collect();
+        around.sort_by_key(|&face| !view.is_own(edge, face)); // its own ones first
+        around.dedup();
         view.draw(edge, &around, DepthTest::Off, (&mut depth, &mut whole));
         view.draw(edge, &around, DepthTest::Greater, (&mut depth, &mut shown));
         // The same edge where there is nothing but its own faces.
@@ -200,5 +205,14 @@ fn no_visible_edge_is_lost_to_its_faces_and_no_hidden_one_shows() {
         assert!(seen.must > 5_000, "{name}: only {} visible pixels were judged", seen.must);
         let flat = ["plane"].contains(&name);
         assert!(flat || seen.must_not > 1_000, "{name}: only {} hidden pixels were judged", seen.must_not);
+    }
+}
+
+/// The judge's own list of shapes is the program's.
+#[test]
+fn every_shape_is_judged() {
+    for info in Shape::all() {
+        let judged = SHAPES.iter().any(|name| name.split(':').next() == Some(info.name));
+        assert!(judged, "{}", info.name);
     }
 }
