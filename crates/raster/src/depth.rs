@@ -62,7 +62,7 @@ impl DepthPlane {
     #[inline]
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> f32 {
-        self.value(self.edges.map(|edge| edge.at(x, y).to_f32()))
+        self.value(self.edges.map(|edge| wide_to_f32(edge.at(x, y))))
     }
 
     /// The formula. The comparison is written so that it becomes one instruction, the same in every lane.
@@ -72,66 +72,56 @@ impl DepthPlane {
         if z < self.most { z } else { self.most }
     }
 
-    /// Hands the depths of the pixels from x on, along row y, to `each`, one for each item.
-    ///
-    /// Where E′ fits an `i32` the loop runs on those, with the same values; it is the one that compilers turn
-    /// into vector code.
+    /// Hands the depths of the pixels from x on, along row y, to `visit`, one for each item.
     #[inline]
-    pub(crate) fn row<T>(&self, x: u32, y: u32, items: impl Iterator<Item = T>, each: impl FnMut(T, f32)) {
-        let first = self.edges.map(|edge| edge.at(x, y));
-        let step = self.edges.map(|edge| edge.x);
-        if self.narrow {
-            self.steps(first.map(narrow), step.map(narrow), items, each);
-        } else {
-            self.steps(first, step, items, each);
-        }
-    }
-
-    #[inline]
-    fn steps<T, I: Value>(
+    pub(crate) fn row<T>(
         &self,
-        mut e: [I; 2],
-        step: [I; 2],
+        x: u32,
+        y: u32,
         items: impl Iterator<Item = T>,
-        mut each: impl FnMut(T, f32),
+        mut visit: impl FnMut(T, f32),
     ) {
+        let mut e = self.edges.map(|edge| edge.at(x, y));
         for item in items {
-            each(item, self.value(e.map(I::to_f32)));
-            e = [e[0].plus(step[0]), e[1].plus(step[1])];
+            visit(item, self.value(e.map(wide_to_f32)));
+            e = [e[0] + self.edges[0].x, e[1] + self.edges[1].x];
+        }
+    }
+
+    /// The same for many items and a `visit` without branches: where E′ fits an `i32` all over the triangle the loop
+    /// runs on those, with the same values, which compilers turn into vector code.
+    #[inline]
+    pub(crate) fn long_row<T>(
+        &self,
+        x: u32,
+        y: u32,
+        items: impl Iterator<Item = T>,
+        mut visit: impl FnMut(T, f32),
+    ) {
+        if !self.narrow {
+            self.row(x, y, items, visit);
+            return;
+        }
+        let mut e = self.edges.map(|edge| narrow(edge.at(x, y)));
+        let step = self.edges.map(|edge| narrow(edge.x));
+        for item in items {
+            visit(item, self.value(e.map(narrow_to_f32)));
+            // The step past the end of the row may leave the range; it is not used.
+            e = [e[0].wrapping_add(step[0]), e[1].wrapping_add(step[1])];
         }
     }
 }
 
-/// An integer that holds E′.
-trait Value: Copy {
-    fn plus(self, other: Self) -> Self;
-    fn to_f32(self) -> f32;
+#[inline]
+#[expect(clippy::cast_precision_loss, reason = "the formula's conversion, correctly rounded")]
+const fn wide_to_f32(e: i64) -> f32 {
+    e as f32
 }
 
+#[inline]
 #[expect(clippy::cast_precision_loss, reason = "the formula's conversion, correctly rounded")]
-impl Value for i32 {
-    #[inline]
-    fn plus(self, other: Self) -> Self {
-        self.wrapping_add(other) // one step past the end of a row may leave the range; it is not used
-    }
-
-    #[inline]
-    fn to_f32(self) -> f32 {
-        self as f32
-    }
-}
-
-#[expect(clippy::cast_precision_loss, reason = "the formula's conversion, correctly rounded")]
-impl Value for i64 {
-    #[inline]
-    fn plus(self, other: Self) -> Self {
-        self + other
-    }
-
-    #[inline]
-    fn to_f32(self) -> f32 {
-        self as f32
-    }
+const fn narrow_to_f32(e: i32) -> f32 {
+    e as f32
 }
 
 #[inline]

@@ -39,10 +39,12 @@ impl<P: Copy> Target<'_, P> {
                 stats.bad_index += 1;
                 continue;
             };
-            let value = || shade.triangle(index);
-            setup.triangle([a, b, c], &mut stats, |piece| match value() {
-                Some(pixel) => self.flat(state, clip, piece, pixel),
-                None => self.shaded(state, clip, piece, index, shade),
+            let mut value = None;
+            setup.triangle([a, b, c], &mut stats, |piece| {
+                match *value.get_or_insert_with(|| shade.triangle(index)) {
+                    Some(pixel) => self.flat(state, clip, piece, pixel),
+                    None => self.shaded(state, clip, piece, index, shade),
+                }
             });
         }
         stats
@@ -81,7 +83,10 @@ impl<P: Copy> Target<'_, P> {
     }
 }
 
-/// One strip in one value. The loops choose instead of branching, so that compilers make vector code of them.
+/// Strips from this many pixels on are worth starting a loop of vector code. Changing it changes no pixel.
+const LONG: usize = 16;
+
+/// One strip in one value.
 #[inline]
 fn flat_strip<P: Copy, S: Stored>(
     state: &State,
@@ -91,23 +96,44 @@ fn flat_strip<P: Copy, S: Stored>(
     color: &mut [P],
     pixel: P,
 ) {
+    if color.len() >= LONG {
+        return long_flat_strip(state, strip, plane, (depth, color), pixel);
+    }
+    plane.row(strip.x0, strip.y, depth.iter_mut().zip(color), |(depth, color), z| {
+        let new = S::store(z);
+        if state.test.passes(new, *depth) {
+            *color = pixel;
+            if state.write {
+                *depth = new;
+            }
+        }
+    });
+}
+
+/// One long strip in one value. The loops choose instead of branching, so that compilers make vector code of them.
+#[inline(never)]
+fn long_flat_strip<P: Copy, S: Stored>(
+    state: &State,
+    strip: Strip,
+    plane: &DepthPlane,
+    items: (&mut [S], &mut [P]),
+    pixel: P,
+) {
     #[inline]
     fn run<P: Copy, S: Stored>(
         strip: Strip,
         plane: &DepthPlane,
-        items: (&mut [S], &mut [P]),
+        (depth, color): (&mut [S], &mut [P]),
         pixel: P,
         passes: impl Fn(S, S) -> (bool, bool),
     ) {
-        let (depth, color) = items;
-        plane.row(strip.x0, strip.y, depth.iter_mut().zip(color), |(depth, color), z| {
+        plane.long_row(strip.x0, strip.y, depth.iter_mut().zip(color), |(depth, color), z| {
             let new = S::store(z);
             let (draws, writes) = passes(new, *depth);
             *depth = if writes { new } else { *depth };
             *color = if draws { pixel } else { *color };
         });
     }
-    let items = (depth, color);
     match (state.test, state.write) {
         (DepthTest::Greater, true) => run(strip, plane, items, pixel, |new, old| (new > old, new > old)),
         (DepthTest::Greater, false) => run(strip, plane, items, pixel, |new, old| (new > old, false)),
@@ -150,8 +176,11 @@ impl ShadedStrip<'_> {
 
     /// Shades one fragment; a pixel that is discarded keeps its value, whatever was written to it before.
     #[inline]
-    fn shade<P: Copy>(&self, x: u32, depth: f32, pixel: &mut P, shade: &impl Shade<P>) -> bool {
+    fn shade<P: Copy, F: Shade<P>>(&self, x: u32, depth: f32, pixel: &mut P, shade: &F) -> bool {
         let fragment = Fragment { x, y: self.strip.y, depth, triangle: self.triangle, weights: self.weights };
+        if F::OPAQUE {
+            return shade.fragment(&fragment, pixel);
+        }
         let mut value = *pixel;
         let kept = shade.fragment(&fragment, &mut value);
         if kept {

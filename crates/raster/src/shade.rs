@@ -8,10 +8,10 @@ use crate::Weights;
 /// fragment's place, depth and weights, blend with what is there, and discard by returning `false`, which
 /// leaves pixel and stored depth as they were.
 pub trait Shade<P> {
-    /// Whether every fragment is kept and none looks at what is there already.
+    /// Whether every fragment is kept and none looks at what is there already, so that none is kept for when it is discarded.
     const OPAQUE: bool = false;
 
-    /// One value for a whole triangle, asked once for each; `None`: ask [`fragment`](Self::fragment).
+    /// One value for a whole triangle, asked at most once for each; `None`: ask [`fragment`](Self::fragment).
     fn triangle(&self, index: usize) -> Option<P> {
         let _ = index;
         None

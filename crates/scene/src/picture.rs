@@ -1,15 +1,27 @@
 //! A finished picture, with whatever else of it was asked for.
 //!
-//! It is drawn in bands of rows, so that depth and the sums of samples never take more than a few megabytes,
-//! however large the picture is.
+//! It is drawn in bands of rows: by several threads, and so that depth and the sums of samples take 80 MiB at most,
+//! however large the picture is. A band has the same bytes as those rows of the whole, so that no number of threads
+//! changes the picture.
+
+use core::ops::Range;
+use std::panic::resume_unwind;
+use std::thread;
 
 use polosa_raster::{Depth, DepthTest, MAX_SIDE, Sample, Target, TargetError};
 
 use crate::srgb;
 use crate::{Camera, Color, DrawStats, Light, Renderer, Style, World};
 
-/// The most pixels of a band: 16 MiB of depth, and four times that of sums when there are several samples.
+/// The most pixels that are drawn at a time, by all threads: 16 MiB of depth, and four times that of sums when there
+/// are several samples.
 const BAND: usize = 1 << 22;
+
+/// Pictures of fewer pixels are drawn sooner than a thread is started.
+const WORTH_A_THREAD: usize = 1 << 17;
+
+/// Every thread prepares all triangles anew, so that more than a few gain little.
+const MOST_THREADS: usize = 8;
 
 /// How many samples a pixel has, on a regular grid. They are averaged in linear light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -92,7 +104,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Draws a world into a new picture.
+    /// Draws a world into a new picture. The camera's aspect should be that of the picture, else it is stretched.
     ///
     /// ```
     /// use polosa_scene::{Camera, Light, Picture, PictureSettings, Renderer, Style, World};
@@ -116,7 +128,7 @@ impl Picture {
         style: &Style,
         settings: &PictureSettings,
     ) -> Result<Self, TargetError> {
-        let PictureSettings { width, height, background, .. } = *settings;
+        let PictureSettings { width, height, .. } = *settings;
         if [width, height].iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
             return Err(TargetError::Size { width, height });
         }
@@ -124,97 +136,142 @@ impl Picture {
         let mut picture = Self {
             width,
             height,
-            pixels: vec![background.map_or(0, Color::to_u32); size],
-            alpha: background.is_none().then(|| vec![0; size]),
+            pixels: vec![0; size],
+            alpha: settings.background.is_none().then(|| vec![0; size]),
             distances: settings.distances.then(|| vec![f32::INFINITY; size]),
             ids: settings.ids.then(|| vec![0; size]),
             stats: DrawStats::default(),
         };
-        let scene = Scene { world, camera, light, style };
-        let rows = (BAND / width as usize).max(1).min(height as usize) as u32;
-        let mut depth = vec![0.0; width as usize * rows as usize];
-        for first in (0..height).step_by(rows as usize) {
-            let band = Band { size: [width, height], rows: first..height.min(first + rows) };
-            band.draw(renderer, &scene, settings, &mut depth, &mut picture)?;
+        let scene = Scene { world, camera, light, style, settings };
+        let threads =
+            if size < WORTH_A_THREAD { 1 } else { thread::available_parallelism().map_or(1, usize::from) };
+        let threads = threads.min(MOST_THREADS);
+        let rows = (BAND / threads / width as usize).clamp(1, (height as usize).div_ceil(threads));
+        // Bands are dealt out in turn: neighbours, which cost much the same, go to different threads.
+        let mut hands: Vec<Vec<Band<'_>>> = (0..threads).map(|_| Vec::new()).collect();
+        for (number, band) in picture.bands(rows).into_iter().enumerate() {
+            hands[number % threads].push(band);
         }
+        let draw = |renderer: &mut Renderer, bands: Vec<Band<'_>>| {
+            let mut depth = vec![0.0; width as usize * rows];
+            let draws = bands.into_iter().map(|band| band.draw(renderer, &scene, &mut depth));
+            draws.reduce(|all, one| all.and(one)).unwrap_or(Ok(DrawStats::default()))
+        };
+        let first = hands.swap_remove(0);
+        let stats = thread::scope(|scope| {
+            let start = |bands| scope.spawn(|| draw(&mut Renderer::new(), bands));
+            let others: Vec<_> = hands.into_iter().filter(|bands| !bands.is_empty()).map(start).collect();
+            let first = draw(renderer, first);
+            let joined =
+                others.into_iter().map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            joined.fold(first, |all, one| one.and(all))
+        });
+        picture.stats = stats?;
         Ok(picture)
+    }
+
+    /// The picture in bands of so many rows.
+    fn bands(&mut self, rows: usize) -> Vec<Band<'_>> {
+        let size = [self.width, self.height];
+        let length = self.width as usize * rows;
+        let mut alpha = self.alpha.as_mut().map(|alpha| alpha.chunks_mut(length));
+        let mut distances = self.distances.as_mut().map(|distances| distances.chunks_mut(length));
+        let mut ids = self.ids.as_mut().map(|ids| ids.chunks_mut(length));
+        let firsts = (0..self.height).step_by(rows);
+        self.pixels
+            .chunks_mut(length)
+            .zip(firsts)
+            .map(|(pixels, first)| Band {
+                size,
+                rows: first..first + (pixels.len() / size[0] as usize) as u32,
+                pixels,
+                alpha: alpha.as_mut().and_then(Iterator::next),
+                distances: distances.as_mut().and_then(Iterator::next),
+                ids: ids.as_mut().and_then(Iterator::next),
+            })
+            .collect()
     }
 }
 
-/// What is drawn.
+/// What is drawn, and how.
 struct Scene<'a> {
     world: &'a World,
     camera: &'a Camera,
     light: &'a Light,
     style: &'a Style,
+    settings: &'a PictureSettings,
 }
 
 /// Some rows of a picture.
-struct Band {
+struct Band<'a> {
     size: [u32; 2],
-    rows: core::ops::Range<u32>,
+    rows: Range<u32>,
+    pixels: &'a mut [u32],
+    alpha: Option<&'a mut [u8]>,
+    distances: Option<&'a mut [f32]>,
+    ids: Option<&'a mut [u32]>,
 }
 
-impl Band {
-    fn pixels(&self) -> core::ops::Range<usize> {
-        let width = self.size[0] as usize;
-        self.rows.start as usize * width..self.rows.end as usize * width
-    }
-
-    fn target<'a>(&self, color: &'a mut [u32], depth: &'a mut [f32]) -> Result<Target<'a, u32>, TargetError> {
-        Target::band(color, Depth::F32(depth), self.size, self.size[0] as usize, self.rows.clone())
-    }
-
+impl Band<'_> {
+    /// Draws the band; what became of the whole scene's triangles. `depth` is long enough for its rows.
     fn draw(
-        &self,
+        self,
         renderer: &mut Renderer,
         scene: &Scene<'_>,
-        settings: &PictureSettings,
         depth: &mut [f32],
-        picture: &mut Picture,
-    ) -> Result<(), TargetError> {
-        let at = self.pixels();
-        let depth = &mut depth[..at.len()];
-        let Scene { world, camera, light, style } = *scene;
-        if let Some(ids) = &mut picture.ids {
-            let mut target = self.target(&mut ids[at.clone()], depth)?;
-            target.clear(0, DepthTest::Greater);
+    ) -> Result<DrawStats, TargetError> {
+        let Scene { world, camera, light, style, settings } = *scene;
+        let depth = &mut depth[..self.pixels.len()];
+        if let Some(ids) = self.ids {
+            let mut target = cleared(ids, depth, self.size, &self.rows, 0)?;
             renderer.draw_ids(world, camera, style, &mut target);
         }
-        let color = &mut picture.pixels[at.clone()];
         let clear = settings.background.map_or(0, Color::to_u32);
         // The centre comes last, so that its depth is there for the distances.
         let several = settings.samples != Samples::One;
-        let mut sums = vec![[0.0_f32; 4]; if several { at.len() } else { 0 }];
+        let mut sums = vec![[0.0_f32; 4]; if several { self.pixels.len() } else { 0 }];
         let grid = settings.samples.grid().filter(|_| several);
         let centre = core::iter::once(Sample::CENTER).filter(|_| !several || settings.distances);
+        let mut stats = DrawStats::default();
         for (sample, summed) in grid.map(|sample| (sample, true)).chain(centre.map(|sample| (sample, false)))
         {
-            let mut target = self.target(color, depth)?;
-            target.clear(clear, DepthTest::Greater);
-            picture.stats = renderer.draw(world, camera, light, &Style { sample, ..*style }, &mut target);
+            let mut target = cleared(self.pixels, depth, self.size, &self.rows, clear)?;
+            stats = renderer.draw(world, camera, light, &Style { sample, ..*style }, &mut target);
             if summed {
-                add_sample(&mut sums, color, depth, settings.background.is_some());
+                add_sample(&mut sums, self.pixels, depth, settings.background.is_some());
             }
         }
         if several {
-            resolve(&sums, color);
+            resolve(&sums, self.pixels);
         }
-        if let Some(alpha) = &mut picture.alpha {
+        if let Some(alpha) = self.alpha {
             let samples = f32::from(settings.samples.side() * settings.samples.side());
-            for (k, alpha) in alpha[at.clone()].iter_mut().enumerate() {
+            for (k, alpha) in alpha.iter_mut().enumerate() {
                 let covered =
                     if several { sums[k][3] / samples } else { f32::from(u8::from(depth[k] > 0.0)) };
                 *alpha = (covered * 255.0 + 0.5) as u8;
             }
         }
-        if let Some(distances) = &mut picture.distances {
-            for (distance, &depth) in distances[at].iter_mut().zip(depth.iter()) {
+        if let Some(distances) = self.distances {
+            for (distance, &depth) in distances.iter_mut().zip(depth.iter()) {
                 *distance = if depth > 0.0 { camera.distance(depth) as f32 } else { f32::INFINITY };
             }
         }
-        Ok(())
+        Ok(stats)
     }
+}
+
+/// A cleared target over some rows of a picture.
+fn cleared<'a>(
+    color: &'a mut [u32],
+    depth: &'a mut [f32],
+    size: [u32; 2],
+    rows: &Range<u32>,
+    clear: u32,
+) -> Result<Target<'a, u32>, TargetError> {
+    let mut target = Target::band(color, Depth::F32(depth), size, size[0] as usize, rows.clone())?;
+    target.clear(clear, DepthTest::Greater);
+    Ok(target)
 }
 
 /// Adds the light of one sample, and whether it counts: with a background all do, without one what is covered.
