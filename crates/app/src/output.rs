@@ -2,7 +2,8 @@
 //!
 //! A picture is written to a temporary file in the same folder and renamed when it is complete, so that nobody
 //! ever sees half a picture, and a failure leaves the old one as it was. What is no regular file (`/dev/null`, a
-//! pipe, a terminal) cannot be replaced and is written directly.
+//! pipe, a terminal) cannot be replaced and is written directly. A link is followed, whether its target is there
+//! yet or not: the temporary file lies beside the target and takes its name; the link stays.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -53,7 +54,9 @@ impl Destination {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) => return Err(Error::write(path, error)),
         }
-        match fs::metadata(folder(path)) {
+        // A link that leads nowhere yet: what matters is the folder of its target.
+        let target = followed(path).map_err(|error| Error::write(path, error))?;
+        match fs::metadata(folder(&target)) {
             Ok(found) if found.is_dir() => Ok(()),
             Ok(_) => refuse(io::ErrorKind::NotADirectory),
             Err(error) => Err(Error::write(path, error)),
@@ -173,11 +176,7 @@ impl Write for Witness<'_> {
 }
 
 fn open(path: &Path) -> io::Result<Sink> {
-    // A link is followed: what it points to is replaced, not the link.
-    let target = match fs::canonicalize(path) {
-        Ok(target) => target,
-        Err(_) => path.to_owned(),
-    };
+    let target = followed(path)?;
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file()) {
         return Ok(Sink::Direct(File::options().write(true).open(&target)?));
@@ -200,6 +199,27 @@ fn open(path: &Path) -> io::Result<Sink> {
     }
     Ok(Sink::Temporary(file, target))
 }
+
+/// What a name stands for in the end: links are followed, also one that leads to nothing yet, so that what it points
+/// to is made or replaced and never the link itself.
+///
+/// # Errors
+///
+/// When a link cannot be read, or links lead in a circle.
+pub(crate) fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        if !fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
+            return Ok(path);
+        }
+        // Where the link is not absolute, it counts from its own folder.
+        path = folder(&path).join(fs::read_link(&path)?);
+    }
+    Err(io::Error::other("its links lead in a circle"))
+}
+
+/// Links that are followed one after the other, as many as Linux follows.
+const MOST_LINKS: usize = 40;
 
 /// The folder that a file is in.
 fn folder(path: &Path) -> &Path {
@@ -248,6 +268,34 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&real).unwrap(), b"new");
         assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_nothing_yet_is_followed_too() {
+        use std::os::unix::fs::symlink;
+
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("sub")).unwrap();
+        symlink("sub/second.png", path("first.png")).unwrap();
+        symlink("../real.png", path("sub/second.png")).unwrap();
+        let to = Destination::File(path("first.png"));
+        to.check().unwrap();
+        let mut output = to.create().unwrap();
+        output.fill(|out| out.write_all(b"new")).unwrap();
+        output.commit().unwrap();
+        for link in ["first.png", "sub/second.png"] {
+            assert!(fs::symlink_metadata(path(link)).unwrap().is_symlink(), "{link}");
+        }
+        assert_eq!(fs::read(path("real.png")).unwrap(), b"new");
+
+        symlink("gone/x.png", path("nowhere.png")).unwrap();
+        let error = Destination::File(path("nowhere.png")).check().unwrap_err().to_string();
+        assert!(error.contains("no such folder"), "{error}");
+        symlink("round.png", path("round.png")).unwrap();
+        assert!(Destination::File(path("round.png")).check().is_err());
+        assert!(Destination::File(path("round.png")).create().is_err());
     }
 
     #[test]

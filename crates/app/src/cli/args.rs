@@ -8,6 +8,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use polosa_math::glam::DVec3;
 use polosa_scene::{Color, Samples, Shading, Shape};
 
+use crate::error::Error;
 use crate::output::Destination;
 use crate::view::Up;
 
@@ -47,6 +48,14 @@ impl ModelArg {
             Self::Stdin => "standard input".into(),
             Self::Shape(shape) => format!("shape:{shape}").into(),
         }
+    }
+
+    /// Refuses models of which two are standard input.
+    pub(super) fn check_stdin(models: &[Self]) -> Result<(), Error> {
+        if models.iter().filter(|model| **model == Self::Stdin).count() > 1 {
+            return Err(Error::Usage("standard input can be read only once: name `-` once".to_owned()));
+        }
+        Ok(())
     }
 
     /// What `{stem}` stands for.

@@ -1,10 +1,12 @@
 //! `polosa info`: what is in a model, and what is wrong with it.
 
+use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
 use polosa_math::Bounds;
+use polosa_math::glam::DVec3;
 use polosa_scene::import::{Part, SkippedItem};
 use polosa_scene::topology::Topology;
 use polosa_scene::{Colors, Mesh};
@@ -12,36 +14,49 @@ use serde_json::{Value, json};
 
 use super::args::ModelArg;
 use super::load::Source;
-use super::{report, tell};
+use super::words::{counted, number};
+use super::{complain, report, tell};
 use crate::error::{Error, one_line};
 use crate::guard::caught;
 
-/// Tells what is in a model: counts, bounds, materials, degenerate faces, open edges, watertight or not
+/// Tells what is in models: counts, bounds, materials, degenerate faces, open edges, watertight or not
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polosa info bunny.obj
-  polosa info part.stl --json | jq .watertight")]
+  polosa info part.stl --json | jq .watertight
+  polosa info *.stl --json | jq -r 'select(.watertight | not).name'")]
 pub(super) struct InfoArgs {
-    /// An OBJ, STL, PLY, glTF or GLB file, `-` for standard input, or a shape such as shape:teapot
-    #[arg(value_name = "MODEL", value_parser = ModelArg::parser())]
-    model: ModelArg,
+    /// OBJ, STL, PLY, glTF or GLB files, `-` for standard input, or shapes such as shape:teapot. Each has a report
+    /// of its own; a failure does not stop the rest, and the exit status is 1 at the end
+    #[arg(required = true, value_name = "MODEL", value_parser = ModelArg::parser())]
+    models: Vec<ModelArg>,
 
-    /// The same as JSON, one line
+    /// The same as JSON, one line a model
     #[arg(long)]
     json: bool,
 }
 
-/// Prints what is in the model.
+/// Prints what is in the models. A failure does not stop those that follow.
 pub(super) fn run(args: &InfoArgs) -> Result<ExitCode, Error> {
-    let name = one_line(&args.model.name().to_string_lossy());
-    let text = caught(&args.model.name(), || {
-        let source = Source::open(&args.model)?;
-        let facts = Facts::of(&source);
-        Ok(if args.json { json(&name, &source, &facts) } else { text(&name, &source, &facts) })
-    })?;
-    tell(&text, false);
-    Ok(ExitCode::SUCCESS)
+    ModelArg::check_stdin(&args.models)?;
+    let mut status = ExitCode::SUCCESS;
+    for model in &args.models {
+        let name = one_line(&model.name().to_string_lossy());
+        let report = caught(&model.name(), || {
+            let source = Source::open(model)?;
+            let facts = Facts::of(&source);
+            Ok(if args.json { json(&name, &source, &facts) } else { text(&name, &source, &facts) })
+        });
+        match report {
+            Ok(report) => tell(&report, false),
+            Err(error) => {
+                complain(&error);
+                status = ExitCode::from(error.exit_status());
+            }
+        }
+    }
+    Ok(status)
 }
 
 /// What is found out about a whole model: sums over its parts.
@@ -114,8 +129,9 @@ fn write_text(text: &mut String, name: &str, source: &Source, facts: &Facts) -> 
     if let (false, min, max, size) =
         (facts.bounds.is_empty(), facts.bounds.min(), facts.bounds.max(), facts.bounds.size())
     {
-        line("bounds", format!("({}, {}, {}) to ({}, {}, {})", min.x, min.y, min.z, max.x, max.y, max.z))?;
-        line("size", format!("{} × {} × {}", size.x, size.y, size.z))?;
+        let numbers = |v: DVec3, between: &str| v.to_array().map(number).join(between);
+        line("bounds", format!("({}) to ({})", numbers(min, ", "), numbers(max, ", ")))?;
+        line("size", numbers(size, " × "))?;
     }
     let materials = materials(&source.parts);
     line("materials", if materials.is_empty() { "none".to_owned() } else { materials.join(", ") })?;
@@ -131,9 +147,9 @@ fn write_text(text: &mut String, name: &str, source: &Source, facts: &Facts) -> 
     }
     if source.parts.len() > 1 {
         for (part, (topology, _)) in source.parts.iter().zip(&facts.parts).take(LISTED) {
-            let triangles = part.mesh.triangles().len();
+            let triangles = counted(part.mesh.triangles().len() as u64, "triangle", "triangles");
             let tight = if topology.watertight { "watertight" } else { "not watertight" };
-            line("part", format!("{}: {triangles} triangles, {tight}", one_line(&part.name)))?;
+            line("part", format!("{}: {triangles}, {tight}", one_line(&part.name)))?;
         }
         if source.parts.len() > LISTED {
             line("", format!("and {} more", source.parts.len() - LISTED))?;
@@ -183,7 +199,7 @@ fn part_json(part: &Part, topology: &Topology, bounds: &Bounds) -> Value {
         "triangles": part.mesh.triangles().len(),
         "edges": edges(&part.mesh, topology),
         "bounds": report::bounds(bounds),
-        "material": part.material,
+        "materials": part.materials,
         "color": part.color.map(|color| color.to_string()),
         "degenerate_faces": topology.degenerate,
         "not_finite_faces": topology.non_finite,
@@ -205,13 +221,9 @@ fn edges(mesh: &Mesh, topology: &Topology) -> u64 {
 
 /// Names of materials, each once, in the order of the parts.
 fn materials(parts: &[Part]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for name in parts.iter().filter_map(|part| part.material.as_deref()).map(one_line) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
+    let mut met = HashSet::new();
+    let names = parts.iter().flat_map(|part| &part.materials).filter(|name| met.insert(name.as_str()));
+    names.map(|name| one_line(name)).collect()
 }
 
 /// What the colours belong to, and which parts have one.

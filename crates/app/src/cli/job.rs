@@ -8,7 +8,7 @@ use super::args::{ModelArg, OutputArg, STEM};
 use super::render_args::RenderArgs;
 use crate::encode::ImageFormat;
 use crate::error::Error;
-use crate::output::Destination;
+use crate::output::{Destination, followed};
 
 /// One picture to make.
 #[derive(Debug)]
@@ -41,9 +41,7 @@ pub(super) fn jobs<'a>(args: &'a RenderArgs, transparent: bool) -> Result<Vec<Jo
     let chunk = if args.output.has_stem() { 1 } else { args.models.len().max(1) };
     let jobs: Vec<Job<'a>> = args.models.chunks(chunk).map(|models| outputs.job(models)).collect();
 
-    if args.models.iter().filter(|model| **model == ModelArg::Stdin).count() > 1 {
-        return usage("standard input can be read only once: name `-` once".to_owned());
-    }
+    ModelArg::check_stdin(&args.models)?;
     let mut taken = HashSet::new();
     for destination in jobs.iter().flat_map(Job::destinations) {
         if !taken.insert(identity(destination)) && !is_bottomless(destination) {
@@ -165,6 +163,7 @@ fn identity(destination: &Destination) -> PathBuf {
     match destination {
         Destination::Stdout => PathBuf::from("-"),
         Destination::File(path) => {
+            let path = &followed(path).unwrap_or_else(|_| path.clone());
             let folder =
                 path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
             let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

@@ -35,7 +35,8 @@ impl Source {
             ModelArg::Shape(shape) => {
                 let mesh = shape.mesh().map_err(|error| Error::file(model.name(), error.to_string()))?;
                 let name = shape.to_string();
-                let part = Part { name, mesh, placement: Placement::IDENTITY, color: None, material: None };
+                let part =
+                    Part { name, mesh, placement: Placement::IDENTITY, color: None, materials: Vec::new() };
                 Ok(Self { format: None, parts: vec![part], skipped: Skipped::default(), notes: Vec::new() })
             }
         })
@@ -63,10 +64,7 @@ impl Source {
 
     /// Notes, and what was skipped, one line each.
     pub(super) fn remarks(&self) -> Vec<String> {
-        let skipped = self.skipped.items().iter().map(|item| match item.first {
-            Some(place) => format!("skipped {} {} (the first at {place})", item.count, item.kind.label()),
-            None => format!("skipped {} {}", item.count, item.kind.label()),
-        });
+        let skipped = self.skipped.items().iter().map(|item| format!("skipped {item}"));
         self.notes.iter().cloned().chain(skipped).collect()
     }
 }

@@ -16,6 +16,8 @@ mod progress;
 mod render;
 mod render_args;
 mod report;
+mod unseen;
+mod words;
 
 use std::ffi::OsString;
 use std::io::{self, Write};

@@ -1,6 +1,5 @@
 //! `polosa render`: models become pictures.
 
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -17,7 +16,7 @@ use super::job::{Job, jobs};
 use super::load::Source;
 use super::progress::Progress;
 use super::render_args::RenderArgs;
-use super::{complain, report, tell};
+use super::{complain, report, tell, unseen};
 use crate::encode;
 use crate::error::{Error, one_line};
 use crate::guard::caught;
@@ -62,7 +61,11 @@ pub(super) struct Made<'a> {
     pub(super) models: Vec<ModelFacts>,
     pub(super) bounds: Bounds,
     pub(super) camera: Camera,
+    /// In degrees, as it was given.
+    pub(super) view_angle: f64,
     pub(super) stats: DrawStats,
+    /// What is missing from the picture that should be in it.
+    pub(super) notes: Vec<String>,
     pub(super) read: Duration,
     pub(super) draw: Duration,
     pub(super) write: Duration,
@@ -85,6 +88,13 @@ fn check(args: &RenderArgs) -> Result<(), Error> {
     {
         return Err(Error::Usage(
             "--camera-position, --camera-focal-point and --camera-direction say twice where to look: leave one out"
+                .to_owned(),
+        ));
+    }
+    if args.camera_position.is_some() && args.camera_position == args.camera_focal_point {
+        return Err(Error::Usage(
+            "--camera-position and --camera-focal-point are one point, from which no direction follows: move one of \
+             them"
                 .to_owned(),
         ));
     }
@@ -154,8 +164,9 @@ fn make<'a>(
     let picture = Picture::render(renderer, &world, &camera, &light(args), &style(args), settings)
         .map_err(|error| Error::file(name, error.to_string()))?;
     progress.step();
+    let notes: Vec<String> = unseen::note(args, settings, &world, &camera, &picture).into_iter().collect();
     if !args.json {
-        progress.aside(|| warn_of_gaps(name, &picture.stats));
+        progress.aside(|| notes.iter().for_each(|text| note(&one_line(&name.to_string_lossy()), text)));
     }
     let drawn = Instant::now();
 
@@ -169,7 +180,9 @@ fn make<'a>(
         models,
         bounds,
         camera,
+        view_angle: args.camera_view_angle,
         stats: picture.stats,
+        notes,
         read: loaded - start,
         draw: drawn - loaded,
         write: drawn.elapsed(),
@@ -236,27 +249,16 @@ fn load(
 
 /// Says what of a model the picture does not show.
 fn warn(fact: &ModelFacts, source: &Source) {
-    for note in &source.notes {
-        tell(&format!("polosa: {}: note: {}\n", fact.name, one_line(note)), true);
-    }
+    source.notes.iter().for_each(|text| note(&fact.name, text));
 }
 
-/// Says what is missing from the picture that should be in it.
-fn warn_of_gaps(picture: &Path, stats: &DrawStats) {
-    let count = stats.triangles.not_finite + stats.lines.not_finite;
-    if count > 0 {
-        let picture = one_line(&picture.to_string_lossy());
-        tell(
-            &format!(
-                "polosa: {picture}: note: {count} faces or edges with coordinates that are not finite are left out\n"
-            ),
-            true,
-        );
-    }
+/// A line about a file that is no failure.
+fn note(name: &str, text: &str) {
+    tell(&format!("polosa: {name}: note: {}\n", one_line(text)), true);
 }
 
 /// Every vertex of every object.
-fn points(world: &World) -> impl Iterator<Item = DVec3> {
+pub(super) fn points(world: &World) -> impl Iterator<Item = DVec3> {
     world.objects().flat_map(|(_, object)| {
         let matrix = object.placement.matrix();
         let positions = world.mesh(object.mesh()).map(Mesh::positions).unwrap_or_default();

@@ -30,7 +30,7 @@ pub(super) struct RenderArgs {
 
     /// The picture: .png, .bmp, .tga, .qoi, .ppm, .pnm, .jpg; `-` for PNG to standard output; {stem} in it for
     /// one picture a model, named after it. It is complete or not there
-    #[arg(short, long, value_name = "OUT", value_parser = OutputArg::parser())]
+    #[arg(short, long, value_name = "OUT", value_parser = OutputArg::parser(), allow_hyphen_values = true)]
     pub(super) output: OutputArg,
 
     /// Width and height in pixels, up to 16384 each
@@ -136,11 +136,11 @@ pub(super) struct RenderArgs {
     pub(super) ambient: f32,
 
     /// Distances along the viewing axis in world units, +infinity where nothing is, as PFM
-    #[arg(long, value_name = "OUT.pfm", value_parser = OutputArg::parser(), help_heading = OTHER)]
+    #[arg(long, value_name = "OUT.pfm", value_parser = OutputArg::parser(), allow_hyphen_values = true, help_heading = OTHER)]
     pub(super) depth_image: Option<OutputArg>,
 
     /// The number of the triangle at each pixel plus one as 24-bit RGB, 0 where nothing is
-    #[arg(long, value_name = "OUT.png", value_parser = OutputArg::parser(), help_heading = OTHER)]
+    #[arg(long, value_name = "OUT.png", value_parser = OutputArg::parser(), allow_hyphen_values = true, help_heading = OTHER)]
     pub(super) id_image: Option<OutputArg>,
 
     /// Reports counts and times: to standard output, or to standard error if the picture goes there

@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use polosa_math::glam::DVec3;
 use polosa_raster::Stats;
-use polosa_scene::{FieldOfView, Projection, Samples};
+use polosa_scene::{Projection, Samples};
 use serde_json::{Value, json};
 
 use super::render::Made;
+use super::words::counted;
 use crate::error::one_line;
 
 /// For people: some lines.
@@ -21,26 +22,24 @@ pub(super) fn text(made: &Made<'_>) -> String {
 
 fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
     let settings = made.settings;
-    let samples = samples(settings.samples);
     writeln!(
         text,
-        "{}: {}×{} pixels, {samples} sample{} each",
+        "{}: {}×{} pixels, {} each",
         one_line(&made.job.picture.0.name().to_string_lossy()),
         settings.width,
         settings.height,
-        plural(samples)
+        counted(samples(settings.samples), "sample", "samples")
     )?;
     for model in &made.models {
         writeln!(
             text,
-            "  {:<12}{}: {}, {} part{}, {} vertices, {} triangles",
+            "  {:<12}{}: {}, {}, {}, {}",
             "model",
             model.name,
             model.kind,
-            model.parts,
-            plural(model.parts as u64),
-            model.vertices,
-            model.triangles
+            counted(model.parts as u64, "part", "parts"),
+            counted(model.vertices, "vertex", "vertices"),
+            counted(model.triangles, "triangle", "triangles")
         )?;
         for remark in &model.remarks {
             writeln!(text, "  {:<12}{}", "", one_line(remark))?;
@@ -114,11 +113,12 @@ pub(super) fn json(made: &Made<'_>) -> String {
             "position": vector(made.camera.position()),
             "direction": vector(made.camera.direction()),
             "up": vector(made.camera.up()),
-            "projection": projection(made.camera.projection()),
+            "projection": projection(made),
         },
         "objects": made.stats.objects,
         "triangles": stats(&made.stats.triangles),
         "edges": stats(&made.stats.lines),
+        "notes": made.notes,
         "milliseconds": {
             "read": milliseconds(made.read),
             "draw": milliseconds(made.draw),
@@ -144,13 +144,15 @@ pub(super) fn bounds(bounds: &polosa_math::Bounds) -> Value {
 }
 
 fn vector(v: DVec3) -> Value {
-    json!(v.to_array())
+    // −0 + 0 is 0; everything else stays.
+    json!((v + DVec3::ZERO).to_array())
 }
 
-fn projection(projection: Projection) -> Value {
-    match projection {
-        Projection::Perspective { fov: FieldOfView::Vertical(angle), near, .. } => {
-            json!({ "kind": "perspective", "view_angle": angle.to_degrees(), "near": near })
+/// The angle is the one that was asked for: degrees that have been radians may come back with another last digit.
+fn projection(made: &Made<'_>) -> Value {
+    match made.camera.projection() {
+        Projection::Perspective { near, .. } => {
+            json!({ "kind": "perspective", "view_angle": made.view_angle, "near": near })
         }
         Projection::Orthographic { height, near, far } => {
             json!({ "kind": "orthographic", "height": height, "near": near, "far": far })
@@ -166,11 +168,6 @@ const fn samples(samples: Samples) -> u64 {
         Samples::Four => 4,
         Samples::Sixteen => 16,
     }
-}
-
-/// The ending of a word for so many.
-pub(super) const fn plural(count: u64) -> &'static str {
-    if count == 1 { "" } else { "s" }
 }
 
 fn milliseconds(time: Duration) -> f64 {

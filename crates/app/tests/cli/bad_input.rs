@@ -89,7 +89,14 @@ fn coordinates_that_are_no_numbers_are_left_out_and_the_rest_is_drawn() {
     // Whoever asks for no report is told all the same.
     let said = folder.run("render nan.obj -o out.png --resolution 20,20");
     assert_eq!(said.status, Some(0));
-    assert!(said.stderr.starts_with("polosa: out.png: note: 2 faces"), "{}", said.stderr);
+    let note = "polosa: out.png: note: 2 faces or edges with coordinates that are not finite, or too large to draw, are";
+    assert!(said.stderr.starts_with(note), "{}", said.stderr);
+    let folder = folder.with("one.obj", format!("{SQUARE}v nan 0 0\nf 1 2 5\n"));
+    let said = folder.run("render one.obj -o out.png --resolution 20,20");
+    assert!(
+        said.stderr.contains("note: 1 face or edge with") && said.stderr.contains(" is left out"),
+        "{said:?}"
+    );
 }
 
 #[test]
@@ -103,6 +110,60 @@ fn enormous_and_tiny_models_are_drawn() {
             assert!(crate::support::extent(&picture, crate::support::BACKGROUND).is_some(), "{scale} {lens}");
         }
     }
+}
+
+#[test]
+fn a_picture_of_nothing_says_why() {
+    let front = "--camera-direction 0,0,-1 --camera-orthographic --resolution 50,50";
+    let folder = Folder::new()
+        .with("square.obj", SQUARE)
+        .with("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n")
+        .with("point.obj", "v 1 1 1\nf 1 1 1\n")
+        .with("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let away = "--camera-position 5,2.5,22 --camera-direction 0,0,1";
+    for (arguments, what) in [
+        (format!("line.obj {front}"), "all 2 triangles degenerate"),
+        ("line.obj".to_owned(), "`polosa info`"),
+        ("point.obj --wire".to_owned(), "have no edges"),
+        ("nan.obj".to_owned(), "1 triangle with coordinates that are not finite, or too large to draw"),
+        (format!("square.obj {away}"), "all 2 triangles outside of the view: check --camera-position"),
+        (format!("square.obj {away} --wire"), "all 4 edges outside of the view: check --camera-position"),
+        (
+            format!("square.obj {front} --cull front"),
+            "all 2 triangles left out by --cull front: try --cull none",
+        ),
+        (format!("square.obj {front} --camera-height 20 --camera-focal-point 25,0,0"), "beside the picture"),
+        (
+            format!("square.obj {front} --camera-height 9999 --camera-focal-point .1,.1,0"),
+            "smaller than a pixel",
+        ),
+        (format!("square.obj {front} --shading unlit --color #2b2b2b"), "of the background's colour"),
+        (format!("square.obj {away} --background none"), "outside of the view"),
+    ] {
+        let note = folder.blank(&arguments);
+        assert!(note.contains(what), "{arguments}: {note}");
+    }
+    // Programs find it in the report.
+    let text = folder.done(&format!("render square.obj {away} -o made.png --json")).text();
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(value["notes"][0].as_str().unwrap().starts_with("nothing to see: "), "{text}");
+    let text = folder.done("render square.obj -o made.png --json").text();
+    assert!(text.contains("\"notes\":[]"), "{text}");
+}
+
+#[test]
+fn faults_of_materials_are_told_with_file_and_line() {
+    let folder = Folder::new()
+        .with("m.obj", format!("mtllib m.mtl\nusemtl a\n{SQUARE}usemtl missing\nf 1 2 3\n"))
+        .with("m.mtl", "newmtl a\nKd 2 -1 nan\n");
+    let said = folder.run("render m.obj -o x.png --resolution 20,20");
+    let lines: Vec<&str> = said.stderr.lines().collect();
+    assert_eq!((said.status, lines.len()), (Some(0), 2), "{lines:?}");
+    assert!(lines[0].starts_with("polosa: m.obj: note: m.mtl: line 2: `Kd 2 -1 nan` is not"), "{lines:?}");
+    assert!(
+        lines[1].starts_with("polosa: m.obj: note: line 8: the material `missing` is in no MTL"),
+        "{lines:?}"
+    );
 }
 
 #[test]
@@ -152,7 +213,10 @@ fn wrong_usage_exits_with_2_and_says_what_is_right() {
         ("render - - -o x.png", "once"),
         ("render shape:cubicle -o x.png", "cube"),
         ("render shape:sphere:99 -o x.png", "sphere"),
+        ("render m.obj -o x.png --camera-position 1,2,3 --camera-focal-point 1,2,3", "are one point"),
+        ("render m.obj -o --edges", "--edges"),
         ("info", "MODEL"),
+        ("info - -", "once"),
         ("dance", "dance"),
     ] {
         let said = folder.run(arguments);

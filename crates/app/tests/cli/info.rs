@@ -42,6 +42,55 @@ fn bounds_materials_and_degenerate_faces_are_told() {
 }
 
 #[test]
+fn all_materials_of_a_part_are_told() {
+    let folder = Folder::new()
+        .with("m.obj", format!("mtllib m.mtl\nusemtl a\n{SQUARE}usemtl b\nf 1 2 3\nusemtl a\nf 2 3 4\n"))
+        .with("m.mtl", "newmtl a\nKd 1 1 0\nnewmtl b\nKd 1 1 1\nnewmtl unused\n");
+    let value = json(&folder, "m.obj");
+    assert_eq!(value["materials"], serde_json::json!(["a", "b"]));
+    assert_eq!(value["parts"][0]["materials"], serde_json::json!(["a", "b"]));
+    let text = folder.done("info m.obj").text();
+    assert!(text.lines().any(|line| line.split_whitespace().eq(["materials", "a,", "b"])), "{text}");
+}
+
+#[test]
+fn several_models_have_a_report_each_and_a_failure_stops_none() {
+    let folder = Folder::new().with("square.obj", SQUARE).with("bad.obj", "v 1 2\n");
+    let said = folder.run("info square.obj bad.obj shape:cube --json");
+    assert_eq!(said.status, Some(1));
+    assert!(
+        said.stderr.starts_with("polosa: bad.obj: line 1") && said.stderr.lines().count() == 1,
+        "{said:?}"
+    );
+    let text = said.text();
+    let names: Vec<serde_json::Value> = text
+        .lines()
+        .map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["name"].take())
+        .collect();
+    assert_eq!(names, ["square.obj", "shape:cube"]);
+    let text = folder.done("info square.obj shape:cube").text();
+    assert!(text.contains("square.obj: OBJ\n") && text.contains("\nshape:cube: shape\n"), "{text}");
+}
+
+#[test]
+fn very_small_and_very_large_numbers_are_powers_of_ten() {
+    let folder = Folder::new().with("t.obj", "v -1e-17 0 0\nv 3000000 0 0\nv 0 0.5 -0\nf 1 2 3\n");
+    let text = folder.done("info t.obj").text();
+    assert!(
+        text.contains("e-18, 0, 0) to (3e6, 0.5, 0)") || text.contains("e-17, 0, 0) to (3e6, 0.5, 0)"),
+        "{text}"
+    );
+    assert_eq!(json(&folder, "t.obj")["bounds"]["max"][0], 3_000_000.0);
+}
+
+#[test]
+fn parts_of_one_triangle_are_singular() {
+    let folder = Folder::new().with("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 3\n");
+    let text = folder.done("info p.obj").text();
+    assert!(text.contains("a: 1 triangle, not watertight"), "{text}");
+}
+
+#[test]
 fn shapes_and_standard_input_have_info_too() {
     let folder = Folder::new();
     let teapot = json(&folder, "shape:pyramid");

@@ -77,9 +77,8 @@ fn position_focal_point_and_view_angle_place_the_camera() {
     assert!((37..=38).contains(&x0) && (61..=62).contains(&x1), "{x0} {x1}");
     assert!((43..=44).contains(&y0) && (55..=56).contains(&y1), "{y0} {y1}");
     // Looking past it shows nothing.
-    let beside =
-        folder.render("square.obj --camera-position 5,2.5,22 --camera-direction 0,0,1 --resolution 50,50");
-    assert_eq!(extent(&beside, BACKGROUND), None);
+    folder.blank("square.obj --camera-position 5,2.5,22 --camera-direction 0,0,1 --resolution 50,50");
+    assert_eq!(extent(&folder.picture("made.png"), BACKGROUND), None);
 }
 
 #[test]
@@ -105,16 +104,17 @@ fn view_up_turns_the_picture() {
 fn azimuth_and_elevation_go_round_the_model() {
     let folder = Folder::new().with("square.obj", SQUARE);
     let arguments = "square.obj --camera-direction 0,0,-1 --camera-orthographic --resolution 200,200";
+    let scale = "--camera-height 20 --camera-focal-point 5,2.5,2";
     let wide = |more: &str| {
-        let picture =
-            folder.render(&format!("{arguments} {more} --camera-height 20 --camera-focal-point 5,2.5,2"));
+        let picture = folder.render(&format!("{arguments} {more} {scale}"));
         extent(&picture, BACKGROUND).map(|[x0, y0, x1, y1]| (x1 - x0 + 1, y1 - y0 + 1))
     };
     assert_eq!(wide(""), Some((100, 50)));
     assert_eq!(wide("--camera-azimuth-angle 60"), Some((50, 50)));
     assert_eq!(wide("--camera-azimuth-angle -60"), Some((50, 50)));
     assert_eq!(wide("--camera-elevation-angle 60"), Some((100, 25)));
-    assert_eq!(wide("--camera-azimuth-angle 90"), None, "seen edge on");
+    let edge_on = folder.blank(&format!("{arguments} --camera-azimuth-angle 90 {scale}"));
+    assert!(edge_on.starts_with("all 2 triangles degenerate"), "{edge_on}");
 }
 
 #[test]
@@ -160,7 +160,10 @@ fn cull_leaves_out_one_side() {
     let folder = Folder::new().with("square.obj", SQUARE);
     let seen = |arguments: &str| {
         let fixed = "--camera-orthographic --resolution 50,50";
-        extent(&folder.render(&format!("square.obj {fixed} {arguments}")), BACKGROUND).is_some()
+        let said = folder.run(&format!("render square.obj {fixed} {arguments} -o made.png"));
+        let seen = extent(&folder.picture("made.png"), BACKGROUND).is_some();
+        assert_eq!(said.stderr.is_empty(), seen, "{}", said.stderr);
+        seen
     };
     for (side, direction) in [("front", "0,0,-1"), ("back", "0,0,1")] {
         for cull in ["none", "front", "back"] {
@@ -210,6 +213,30 @@ fn several_models_make_one_picture_at_their_own_coordinates() {
     for (x, _, pixel) in picture.enumerate_pixels() {
         assert!(*pixel != red || x < 45);
         assert!(*pixel != lime || x >= 45);
+    }
+}
+
+#[test]
+fn json_keeps_the_numbers_that_were_given() {
+    let folder = Folder::new();
+    let json = |arguments: &str| {
+        folder.done(&format!("render shape:cube {arguments} --resolution 30,20 -o x.png --json")).text()
+    };
+    let text = json("");
+    assert!(text.contains("\"view_angle\":30.0"), "{text}");
+    let text = json("--camera-view-angle 33.3 --camera-direction 0,0,-1");
+    assert!(text.contains("\"view_angle\":33.3,") || text.contains("\"view_angle\":33.3}"), "{text}");
+    assert!(text.contains("\"direction\":[0.0,0.0,-1.0]") && !text.contains("-0.0,"), "{text}");
+}
+
+#[test]
+fn one_of_a_kind_is_singular() {
+    let folder = Folder::new().with("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nwhat\nf 1 2 3\n");
+    let text = folder.done("render t.obj -o p.png --stats").text();
+    for part in
+        ["1 sample each", "1 part, 3 vertices, 1 triangle\n", "skipped 1 unknown statement (at line 4)"]
+    {
+        assert!(text.contains(part), "{part}: {text}");
     }
 }
 

@@ -59,6 +59,28 @@ fn standard_streams_carry_model_picture_and_report() {
 }
 
 #[test]
+fn names_may_begin_with_a_hyphen() {
+    let folder = Folder::new();
+    folder.done(&format!("render shape:cube -o -x.png --id-image -i.png --depth-image -d.pfm {SMALL}"));
+    assert_eq!(folder.names(), ["-d.pfm", "-i.png", "-x.png"]);
+    assert_eq!(folder.picture("-x.png").dimensions(), (40, 30));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nothing_stays_and_its_target_is_made() {
+    let folder = Folder::new();
+    std::os::unix::fs::symlink("real.png", folder.path("link.png")).unwrap();
+    // Two names of one file that is not there yet.
+    let said = folder.run(&format!("render shape:cube -o link.png --id-image real.png {SMALL}"));
+    assert!(said.status == Some(2) && said.stderr.contains("twice"), "{}", said.stderr);
+    folder.done(&format!("render shape:cube -o link.png {SMALL}"));
+    assert!(fs::symlink_metadata(folder.path("link.png")).unwrap().is_symlink());
+    assert_eq!(folder.picture("real.png").dimensions(), (40, 30));
+    assert_eq!(folder.names(), ["link.png", "real.png"]);
+}
+
+#[test]
 fn several_models_make_one_picture_on_standard_output() {
     let folder = Folder::new();
     let said = folder.run(&format!("render shape:cube shape:cone -o - {SMALL}"));

@@ -72,6 +72,15 @@ impl Folder {
         self.picture("made.png")
     }
 
+    /// Renders with these arguments what turns out to be a picture of nothing; the note about it.
+    pub(crate) fn blank(&self, arguments: &str) -> String {
+        let said = self.run(&format!("render {arguments} -o made.png"));
+        assert_eq!(said.status, Some(0), "{arguments}: {}", said.stderr);
+        assert_eq!(said.stderr.lines().count(), 1, "{arguments}: {}", said.stderr);
+        let note = said.stderr.strip_prefix("polosa: made.png: note: nothing to see: ");
+        note.unwrap_or_else(|| panic!("{arguments}: {}", said.stderr)).trim_end().to_owned()
+    }
+
     pub(crate) fn picture(&self, name: &str) -> RgbaImage {
         image::open(self.path(name)).unwrap().into_rgba8()
     }

@@ -55,7 +55,7 @@ mod skipped;
 mod stl;
 #[cfg(any(feature = "obj", feature = "stl", feature = "ply"))]
 mod text;
-#[cfg(any(feature = "obj", feature = "stl"))]
+#[cfg(any(feature = "obj", feature = "stl", feature = "ply"))]
 mod words;
 
 use core::fmt;
@@ -132,8 +132,8 @@ pub struct Part {
     pub placement: Placement,
     /// Its colour, when it has one for all triangles.
     pub color: Option<Color>,
-    /// Its material, when it has one for all triangles.
-    pub material: Option<String>,
+    /// The names of the materials that its triangles use, each once, in the order of their first use.
+    pub materials: Vec<String>,
 }
 
 /// What a reader is given beside the bytes, and where it reports to.
@@ -226,10 +226,7 @@ fn nothing_to_draw(format: Format, skipped: &Skipped) -> Fault {
         .items()
         .iter()
         .filter(|item| item.kind != SkippedKind::EmptyParts)
-        .map(|item| match item.first {
-            Some(place) => format!("{} {} (the first at {place})", item.count, item.kind.label()),
-            None => format!("{} {}", item.count, item.kind.label()),
-        })
+        .map(ToString::to_string)
         .collect();
     let had = if had.is_empty() { String::new() } else { format!(" but {}", had.join(", ")) };
     Fault::new(format!("this {format} file has no face{had}: there is no surface to draw"))

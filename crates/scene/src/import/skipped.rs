@@ -1,5 +1,7 @@
 //! What a file holds and a model does not: counted, never silently lost.
 
+use core::fmt;
+
 use super::error::Place;
 
 /// A kind of thing that was skipped.
@@ -33,6 +35,19 @@ impl SkippedKind {
             Self::EmptyParts => "parts without a face",
         }
     }
+
+    /// What one of them is called.
+    #[must_use]
+    pub const fn singular(self) -> &'static str {
+        match self {
+            Self::ShortFaces => "face with fewer than three corners",
+            Self::LinesAndPoints => "line or point",
+            Self::FreeForm => "free-form curve or surface",
+            Self::UnknownStatements => "unknown statement",
+            Self::UnusedVertices => "vertex that no face uses",
+            Self::EmptyParts => "part without a face",
+        }
+    }
 }
 
 /// How many of a kind were skipped, and where the first of them is.
@@ -44,6 +59,19 @@ pub struct SkippedItem {
     pub count: u64,
     /// The first one's place, where one is known.
     pub first: Option<Place>,
+}
+
+/// `2 unknown statements (the first at line 7)`.
+impl fmt::Display for SkippedItem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let one = self.count == 1;
+        write!(f, "{} {}", self.count, if one { self.kind.singular() } else { self.kind.label() })?;
+        match self.first {
+            Some(place) if one => write!(f, " (at {place})"),
+            Some(place) => write!(f, " (the first at {place})"),
+            None => Ok(()),
+        }
+    }
 }
 
 /// Everything that was skipped, by kind.

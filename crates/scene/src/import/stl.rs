@@ -90,7 +90,8 @@ fn binary(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>> {
     } else if count <= there {
         if promised < bytes.len() as u64 {
             let extra = bytes.len() as u64 - promised;
-            context.notes.push(format!("{extra} bytes after the last triangle are ignored"));
+            let bytes = if extra == 1 { "byte" } else { "bytes" };
+            context.notes.push(format!("ignored: {extra} {bytes} after the last triangle"));
         }
         count
     } else {
@@ -101,6 +102,11 @@ fn binary(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>> {
         ))
         .at(Place::Byte(80)));
     };
+    if used == 0 {
+        return Err(Fault::new(
+            "this is an empty STL: it has no face after its header; export it again with the model in it",
+        ));
+    }
     let mut weld = Weld::default();
     let mut triangles = Vec::with_capacity(used);
     for record in records.chunks_exact(RECORD).take(used) {
@@ -118,7 +124,7 @@ fn binary(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>> {
 
 fn part(name: String, draft: Draft, context: &mut Context<'_>) -> Parsed<Part> {
     let mesh = draft.finish(&mut context.skipped)?;
-    Ok(Part { name, mesh, placement: Placement::default(), color: None, material: None })
+    Ok(Part { name, mesh, placement: Placement::default(), color: None, materials: Vec::new() })
 }
 
 /// The solid and the facet that are being read.
@@ -154,8 +160,12 @@ fn ascii(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>> {
             .at(Place::Line(start)));
     }
     if reader.solid {
-        context.notes.push("the last `endsolid` is missing".to_owned());
         reader.close(context, &mut parts)?;
+        let read: usize = parts.iter().map(|part| part.mesh.triangles().len()).sum();
+        let triangles = if read == 1 { "triangle was" } else { "triangles were" };
+        context.notes.push(format!(
+            "the last `endsolid` is missing: the file may be cut off; {read} {triangles} read"
+        ));
     }
     Ok(parts)
 }

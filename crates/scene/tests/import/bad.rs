@@ -44,7 +44,8 @@ fn obj_errors_name_the_line() {
         ("vn 1 2\n", "line 4: a normal needs three"),
         ("vt x\n", "line 4: `x` is not a number"),
         ("", "no face"),
-        ("l 1 2\n", "no face but 1 lines and points (the first at line 4)"),
+        ("l 1 2\np 1\n", "no face but 2 lines and points (the first at line 4)"),
+        ("l 1 2\n", "no face but 1 line or point (at line 4)"),
     ] {
         let line = refusal(format!("{vertices}{end}"), "b.obj");
         assert!(line.contains(what), "{line}");
@@ -65,6 +66,9 @@ fn a_cut_off_stl_is_refused() {
     assert!(
         refusal("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n", "c.stl").contains("line 4: `z`")
     );
+    let mut empty = vec![b' '; 84];
+    empty[80..].fill(0);
+    assert!(refusal(&empty, "e.stl").contains("this is an empty STL"));
     assert!(refusal("solid x\nendsolid x\n", "c.stl").contains("no face"));
 }
 
@@ -81,6 +85,11 @@ fn a_cut_off_or_lying_ply_is_refused() {
     for (from, to, what) in [
         ("vertex 4", "vertex 4000000000", "4000000000 entries of `vertex`, more than"),
         ("face 4", "face 18446744073709551615", "more than"),
+        (
+            "face 4",
+            "face 99999999999999999999",
+            "line 11: the header says 99999999999999999999 entries of `face`",
+        ),
         ("3 0 2 1", "3 0 2 4", "face 0: a face names vertex 4, but the file has 4"),
         ("3 0 2 1", "3 0 2 -1", "line 18: a face names vertex -1"),
         ("3 0 2 1", "4000000000 0 2 1", "line 18"),
@@ -107,7 +116,12 @@ fn a_broken_gltf_is_refused() {
         (r#""byteLength":60"#, r#""byteLength":61"#, "buffer 0: it should have 61 bytes and has 60"),
         ("base64,", "base64,!", "data: URI is broken"),
         (";base64,", ",", "not base64"),
-        (r#""mesh":0"#, r#""mesh":7"#, "nodes[0].mesh"),
+        (r#""mesh":0"#, r#""mesh":7"#, "broken, `nodes[0].mesh` names something that is not there"),
+        (
+            r#","type":"SCALAR""#,
+            r#","type":"SKALAR""#,
+            "`accessors[1].type` has a value that glTF does not know",
+        ),
         // The library's validation panics on this one.
         (r#""POSITION":0"#, r#""POSITION":2"#, "mesh 0: its positions are accessor 2, but there are only 2"),
         ("VEC3", "VEC2", "accessor 0: its entries have too few components"),

@@ -25,7 +25,7 @@ fn embedded_external_and_binary_are_the_same_part() {
         assert_eq!(part.placement.scale, DVec3::ONE);
         // Linear ½ is code 188.
         assert_eq!(part.color, Some(Color::new(255, 188, 0)));
-        assert_eq!((part.name.as_str(), part.material.as_deref()), ("n", Some("m")));
+        assert_eq!((part.name.as_str(), part.materials.as_slice()), ("n", &["m".to_owned()][..]));
     }
 }
 
@@ -99,7 +99,7 @@ fn primitives_stay_one_mesh_and_color_its_faces() {
     let part = part(custom(&buffer, &view, POINTS, primitives, materials), "p.gltf");
     let (blue, white) = (Color::new(0, 0, 255), Color::WHITE);
     assert_eq!(part.mesh.colors(), &Colors::Face(vec![blue, blue, blue, white, white, white]));
-    assert_eq!((part.color, part.material), (None, None));
+    assert_eq!((part.color, part.materials.len()), (None, 0));
 }
 
 #[test]

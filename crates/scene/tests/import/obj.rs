@@ -119,9 +119,9 @@ fn materials_color_faces_or_the_whole_object() {
     let (red, half, grey) = (Color::new(255, 0, 0), Color::new(128, 128, 128), Color::LIGHT_GREY);
     let [p, q, r] = &model.parts[..] else { panic!() };
     assert_eq!(p.mesh.colors(), &Colors::Face(vec![grey, red, red, half, grey]));
-    assert_eq!((p.color, p.material.as_deref()), (None, None));
+    assert_eq!((p.color, p.materials.join(",").as_str()), (None, "red,half,bare"));
     for part in [q, r] {
-        assert_eq!((part.color, part.material.as_deref()), (Some(red), Some("red")));
+        assert_eq!((part.color, part.materials.join(",").as_str()), (Some(red), "red"));
         assert_eq!(part.mesh.colors(), &Colors::None);
     }
 }
@@ -142,7 +142,7 @@ fn material_files_are_read_from_the_own_folder_only() {
         std::fs::write(inner.join("a.obj"), text).unwrap();
         let model = load(&inner.join("a.obj")).unwrap();
         assert_eq!(model.parts[0].color, None);
-        assert_eq!(model.parts[0].material.as_deref(), Some("m"));
+        assert_eq!(model.parts[0].materials, ["m"]);
         assert!(model.notes.len() == 1 && model.notes[0].contains(what), "{:?}", model.notes);
     }
     #[cfg(unix)]
@@ -151,6 +151,37 @@ fn material_files_are_read_from_the_own_folder_only() {
         std::fs::write(inner.join("a.obj"), "mtllib link.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
         assert!(load(&inner.join("a.obj")).unwrap().notes[0].contains("own folder"));
     }
+}
+
+#[test]
+fn faults_of_materials_are_noted_with_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.obj");
+    std::fs::write(folder.path().join("a.mtl"), "newmtl red\nKd 2 -1 nan\n").unwrap();
+    let notes = |head: &str| {
+        let text = format!("{head}v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl gone\nf 1 2 3\n");
+        std::fs::write(&path, text).unwrap();
+        load(&path).unwrap().notes
+    };
+    let found = notes("mtllib a.mtl\n");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found[0].starts_with("a.mtl: line 2: `Kd 2 -1 nan`"), "{found:?}");
+    assert!(found[1].starts_with("line 7: the material `gone` is in no MTL file"), "{found:?}");
+    let found = notes("");
+    assert!(found.len() == 1 && found[0].starts_with("line 4: ") && found[0].contains("mtllib"), "{found:?}");
+    let found = notes("mtllib b.mtl\n");
+    assert!(found.len() == 1 && found[0].contains("missing"), "said once: {found:?}");
+}
+
+#[test]
+fn a_file_cannot_ask_for_notes_without_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.obj");
+    let statements: String = (0..1000).map(|i| format!("usemtl {i}\nf 1 2 3\n")).collect();
+    std::fs::write(&path, format!("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n{statements}")).unwrap();
+    std::fs::write(folder.path().join("a.mtl"), "newmtl a\nKd 9\n".repeat(1000)).unwrap();
+    let model = load(&path).unwrap();
+    assert_eq!((model.notes.len(), model.parts[0].materials.len()), (16, 1000));
 }
 
 #[test]

@@ -66,6 +66,7 @@ fn a_missing_endsolid_is_noted() {
     let text = data::stl_ascii().replace("endsolid tetra hedron\n", "");
     let model = model(text, "m.stl");
     assert!(model.notes[0].contains("endsolid"));
+    assert!(model.notes[0].ends_with("may be cut off; 4 triangles were read"), "{:?}", model.notes);
     assert_eq!(model.parts[0].mesh.triangles().len(), 4);
 }
 
@@ -95,5 +96,5 @@ fn a_count_that_streaming_programs_leave_is_replaced_and_noted() {
 fn bytes_after_the_last_triangle_are_noted() {
     let mut bytes = data::stl_binary(b"more");
     bytes.extend([7; 30]);
-    assert!(model(bytes, "m.stl").notes[0].starts_with("30 bytes"));
+    assert!(model(bytes, "m.stl").notes[0].starts_with("ignored: 30 bytes"));
 }

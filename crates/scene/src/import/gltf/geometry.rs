@@ -1,6 +1,6 @@
 //! A glTF mesh, all its primitives together, as one draft.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use gltf::Semantic;
 use gltf::mesh::Mode;
@@ -17,7 +17,8 @@ use crate::srgb::encode;
 pub(super) struct Geometry {
     pub(super) draft: Draft,
     pub(super) color: Option<Color>,
-    pub(super) material: Option<String>,
+    /// Names, each once.
+    pub(super) materials: Vec<String>,
 }
 
 /// Linear light, from 0 to 1.
@@ -46,7 +47,7 @@ pub(super) fn read(mesh: &gltf::Mesh<'_>, buffers: &Buffers, skipped: &mut Skipp
     let place = Place::Item("mesh", mesh.index() as u64);
     let mut tables = Tables::default();
     let mut sources: HashMap<(Source, [u32; 3]), usize> = HashMap::new();
-    let mut materials: Vec<Option<String>> = Vec::new();
+    let (mut materials, mut named) = (Vec::new(), HashSet::new());
     let (mut has_normals, mut has_uvs, mut has_colors) = (false, false, false);
     for primitive in mesh.primitives() {
         if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
@@ -106,8 +107,11 @@ pub(super) fn read(mesh: &gltf::Mesh<'_>, buffers: &Buffers, skipped: &mut Skipp
         let before = tables.triangles.len();
         tables.add_triangles(&primitive, first, positions.count(), buffers, skipped, place)?;
         tables.face_colors.resize(tables.triangles.len(), color(base));
-        if tables.triangles.len() > before {
-            materials.push(material.name().map(|name| quote(name.as_bytes(), 200)));
+        if tables.triangles.len() > before
+            && let Some(name) = material.name()
+            && named.insert(name.to_owned())
+        {
+            materials.push(quote(name.as_bytes(), 200));
         }
     }
     let Tables { positions, mut normals, mut uvs, vertex_light, triangles, face_colors } = tables;
@@ -117,11 +121,6 @@ pub(super) fn read(mesh: &gltf::Mesh<'_>, buffers: &Buffers, skipped: &mut Skipp
     let vertex_colors =
         has_colors.then(|| vertex_light.into_iter().map(|light| light.map_or(Color::WHITE, color)).collect());
     let face_colors = (single.is_none() && !has_colors && !face_colors.is_empty()).then_some(face_colors);
-    let material = materials
-        .first()
-        .cloned()
-        .flatten()
-        .filter(|one| materials.iter().all(|material| material.as_ref() == Some(one)));
     Ok(Geometry {
         draft: Draft {
             positions,
@@ -133,7 +132,7 @@ pub(super) fn read(mesh: &gltf::Mesh<'_>, buffers: &Buffers, skipped: &mut Skipp
             face_colors,
         },
         color: single.filter(|_| !has_colors),
-        material,
+        materials,
     })
 }
 

@@ -80,11 +80,11 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>>
             shown = shown
                 .saturating_add(geometry.draft.triangles.len())
                 .saturating_add(geometry.draft.positions.len());
+            // Names of materials are copied with the mesh, too.
+            let names: usize = geometry.materials.iter().map(String::len).sum();
+            shown = shown.saturating_add(names);
             if shown > MOST_SHOWN {
-                return Err(Fault::new(format!(
-                    "the nodes show more than {MOST_SHOWN} triangles and vertices, the most that is read: simplify it"
-                ))
-                .at(place));
+                return Err(too_much(place));
             }
             let name = node.name().or(mesh.name()).unwrap_or(&context.stem);
             let name = quote(name.as_bytes(), 200);
@@ -95,6 +95,13 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>>
         stack[from..].reverse();
     }
     Ok(parts)
+}
+
+fn too_much(node: Place) -> Fault {
+    Fault::new(format!(
+        "the nodes show more than {MOST_SHOWN} triangles and vertices, the most that is read: simplify it"
+    ))
+    .at(node)
 }
 
 /// The document, validated, and the binary chunk.
@@ -172,12 +179,29 @@ fn check_container(bytes: &[u8]) -> Parsed<()> {
 fn not_understood(error: gltf::Error) -> Fault {
     let what = match error {
         gltf::Error::Validation(list) => match list.first() {
-            Some((path, error)) => format!("{path}: {error}"),
+            Some((path, error)) => return broken(&path.to_string(), *error),
             None => "invalid".to_owned(),
         },
         error => error.to_string(),
     };
     Fault::new(format!("this glTF is not understood ({}): export it again", quote(what.as_bytes(), 160)))
+}
+
+/// What the library found wrong, in words that say more than its own ("Missing data").
+fn broken(path: &str, error: json::validation::Error) -> Fault {
+    use json::validation::Error as Kind;
+    let what = match error {
+        Kind::IndexOutOfBounds => "names something that is not there",
+        Kind::Missing => "is missing, and glTF demands it",
+        Kind::Oversize => "is larger than a file can be",
+        _ => "has a value that glTF does not know",
+    };
+    let path = if path.is_empty() {
+        "the document".to_owned()
+    } else {
+        format!("`{}`", quote(path.as_bytes(), 160))
+    };
+    Fault::new(format!("this glTF is broken, {path} {what}: export it again"))
 }
 
 fn note_what_is_missing(document: &gltf::Document, context: &mut Context<'_>) {
@@ -228,7 +252,7 @@ fn local(node: &gltf::Node<'_>) -> DMat4 {
 }
 
 fn part(name: String, geometry: Geometry, global: DMat4, context: &mut Context<'_>) -> Parsed<Part> {
-    let Geometry { mut draft, color, material } = geometry;
+    let Geometry { mut draft, color, materials } = geometry;
     let linear = DMat3::from_mat4(global);
     let volume = linear.x_axis.cross(linear.y_axis).dot(linear.z_axis);
     let placement = match Placement::from_matrix(&global) {
@@ -239,7 +263,7 @@ fn part(name: String, geometry: Geometry, global: DMat4, context: &mut Context<'
         }
     };
     let mesh: Mesh = draft.finish(&mut context.skipped)?;
-    Ok(Part { name, mesh, placement, color, material })
+    Ok(Part { name, mesh, placement, color, materials })
 }
 
 /// Applies a matrix to positions and normals; turns the triangles round when it mirrors.

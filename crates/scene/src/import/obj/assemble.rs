@@ -1,5 +1,7 @@
 //! Tables and faces become parts: one for each object, its colours from materials or vertices.
 
+use std::collections::HashSet;
+
 use polosa_math::Placement;
 
 use super::super::Part;
@@ -19,6 +21,7 @@ impl Reader<'_, '_, '_> {
         if self.textures {
             self.context.notes.push("textures are not drawn; the materials' colours are".to_owned());
         }
+        self.note_unknown_materials();
         let end = self.faces.counts();
         let mut ends: Vec<(usize, usize)> =
             self.objects.iter().skip(1).map(|o| (o.first_triangle, o.first_side)).collect();
@@ -53,7 +56,7 @@ impl Reader<'_, '_, '_> {
                 mesh: draft.finish(&mut self.context.skipped)?,
                 placement: Placement::default(),
                 color: paint.one.filter(|_| !colored),
-                material: paint.material.map(|material| quote(&self.names[material], NAME)),
+                materials: paint.materials.iter().map(|&name| quote(&self.names[name], NAME)).collect(),
             });
         }
         if let Some([positions, ..]) = &gathers {
@@ -139,10 +142,12 @@ impl Reader<'_, '_, '_> {
             }
             runs.push((start, Some(material)));
         }
-        let (first, one) = (runs[0].1, color(runs[0].1));
-        let material = first.filter(|_| runs.iter().all(|run| run.1 == first));
+        let mut met = HashSet::new();
+        let materials =
+            runs.iter().filter_map(|run| run.1).filter(|&material| met.insert(material)).collect();
+        let one = color(runs[0].1);
         if runs.iter().all(|run| color(run.1) == one) {
-            return Paint { one, material, faces: None };
+            return Paint { one, materials, faces: None };
         }
         let mut faces = Vec::with_capacity(triangles.len());
         for (number, &(start, material)) in runs.iter().enumerate() {
@@ -150,14 +155,15 @@ impl Reader<'_, '_, '_> {
             let color = color(material).unwrap_or(Color::LIGHT_GREY);
             faces.resize(faces.len() + (end - start), color);
         }
-        Paint { one: None, material, faces: Some(faces) }
+        Paint { one: None, materials, faces: Some(faces) }
     }
 }
 
 /// How an object is coloured by its materials.
 struct Paint {
     one: Option<Color>,
-    material: Option<usize>,
+    /// Those of the triangles, each once.
+    materials: Vec<usize>,
     faces: Option<Vec<Color>>,
 }
 

@@ -90,7 +90,10 @@ impl Outside {
         let Self { index, count, .. } = self;
         Fault::new(match index {
             0 => format!("a face names {one} 0, but OBJ counts from 1"),
-            1.. => format!("a face names {one} {index}, but the file has {count} {many}: it may be cut off"),
+            1.. => {
+                let there = if *count == 1 { one } else { many };
+                format!("a face names {one} {index}, but the file has {count} {there}: it may be cut off")
+            }
             _ => format!("a face names {one} {index}, but there are fewer {many} before it"),
         })
     }

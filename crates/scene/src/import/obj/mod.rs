@@ -24,6 +24,7 @@
 mod assemble;
 mod face;
 mod gather;
+mod library;
 mod mtl;
 
 use std::collections::HashMap;
@@ -90,9 +91,14 @@ struct Reader<'a, 'c, 'd> {
     /// From which triangle on which material counts, an index into `names`.
     runs: Vec<(usize, usize)>,
     names: Vec<Vec<u8>>,
+    /// The line that first names each.
+    named_at: Vec<u64>,
     numbers: HashMap<Vec<u8>, usize>,
     materials: Materials,
     textures: bool,
+    /// How many material libraries were read, and whether one could not be.
+    libraries: usize,
+    library_missing: bool,
     context: &'c mut Context<'d>,
 }
 
@@ -134,9 +140,12 @@ impl<'a, 'c, 'd> Reader<'a, 'c, 'd> {
             objects: vec![Object { name: b"", first_triangle: 0, first_side: 0 }],
             runs: Vec::new(),
             names: Vec::new(),
+            named_at: Vec::new(),
             numbers: HashMap::new(),
             materials: Materials::new(),
             textures: false,
+            libraries: 0,
+            library_missing: false,
             context,
         }
     }
@@ -261,6 +270,7 @@ impl<'a, 'c, 'd> Reader<'a, 'c, 'd> {
                     None => {
                         let material = self.names.len();
                         self.names.push(name.to_vec());
+                        self.named_at.push(number);
                         self.numbers.insert(name.to_vec(), material);
                         material
                     }
@@ -274,36 +284,7 @@ impl<'a, 'c, 'd> Reader<'a, 'c, 'd> {
             _ => self.context.skipped.add(SkippedKind::UnknownStatements, 1, place),
         }
     }
-
-    /// `mtllib a.mtl b.mtl`, or one name with spaces in it. A library that cannot be read is a note.
-    fn library(&mut self, words: Words<'_>) {
-        let read = |name: &[u8]| super::side::read(self.context.side_files, &String::from_utf8_lossy(name));
-        let whole = words.rest();
-        let mut found = match read(whole) {
-            Ok(bytes) => vec![Ok(bytes)],
-            Err(fault) if words.count() < 2 => vec![Err(fault)],
-            Err(_) => words.take(MOST_LIBRARIES).map(read).collect(),
-        };
-        for library in found.drain(..) {
-            match library {
-                Ok(bytes) => self.textures |= mtl::read(&bytes, &mut self.materials),
-                Err(fault) => {
-                    let error = super::ImportError::new("materials", fault);
-                    let note = format!("{}; drawn without its colours", error.message());
-                    if self.context.notes.len() < MOST_NOTES && !self.context.notes.contains(&note) {
-                        self.context.notes.push(note);
-                    }
-                }
-            }
-        }
-    }
 }
-
-/// Material libraries in one statement: more are not looked for.
-const MOST_LIBRARIES: usize = 16;
-
-/// Notes about missing libraries: a hostile file could ask for millions.
-const MOST_NOTES: usize = 16;
 
 /// Statements that change nothing here: groups do not split an object, and the rest is about free-form geometry
 /// or other programs.

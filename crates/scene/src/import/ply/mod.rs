@@ -24,6 +24,7 @@ use super::error::{Fault, Parsed, Place, quote};
 use super::polygon::Cutter;
 use super::skipped::SkippedKind;
 use super::text::Lines;
+use super::words::Words;
 use super::{Context, Part};
 use crate::Color;
 use element::Element;
@@ -56,11 +57,13 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>>
     let parser = Parser::<Element>::new();
     let mut reader = Reader::new(bytes);
     let header = parser.read_header(&mut reader).map_err(|error| {
-        let line = error.line().map(|line| Place::Line(line as u64));
+        if let Some(fault) = uncountable(bytes) {
+            return fault;
+        }
         let fault =
             Fault::new(format!("this PLY header is not understood ({}): export it again", one_line(&error)));
-        match line {
-            Some(line) => fault.at(line),
+        match error.line() {
+            Some(line) => fault.at(Place::Line(line as u64)),
             None => fault,
         }
     })?;
@@ -129,8 +132,36 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Parsed<Vec<Part>>
     }
     let mesh = content.draft()?.finish(&mut context.skipped)?;
     let name = context.stem.clone();
-    Ok(vec![Part { name, mesh, placement: Placement::default(), color: None, material: None }])
+    Ok(vec![Part { name, mesh, placement: Placement::default(), color: None, materials: Vec::new() }])
 }
+
+/// A count in the header with more digits than a number has room for, about which the library says no more than
+/// that it is no number.
+fn uncountable(bytes: &[u8]) -> Option<Fault> {
+    let header =
+        Lines::new(bytes).take_while(|(_, line)| line.trim_ascii() != b"end_header").take(MOST_LINES);
+    for (number, line) in header {
+        let mut words = Words::new(line);
+        let (Some(b"element"), Some(name), Some(count)) = (words.next(), words.next(), words.next()) else {
+            continue;
+        };
+        let digits = count.iter().all(u8::is_ascii_digit);
+        if digits && core::str::from_utf8(count).is_ok_and(|count| count.parse::<usize>().is_err()) {
+            let (count, name) = (quote(count, 40), quote(name, 40));
+            return Some(
+                Fault::new(format!(
+                    "the header says {count} entries of `{name}`, more than any file can hold: it is broken; export \
+                     it again"
+                ))
+                .at(Place::Line(number)),
+            );
+        }
+    }
+    None
+}
+
+/// Lines of a header that is not understood in which the reason is looked for.
+const MOST_LINES: usize = 1000;
 
 /// Refuses counts that the bytes after the header cannot hold: the least that an entry takes is a byte for each
 /// list's length and each number's own size, or a digit and a separator in ASCII.
