@@ -12,7 +12,7 @@
 //! | wobj 0.3 | 74, 117 | not checked | the closest; errors over several lines |
 //! | this one | 20, 33 | error with its line | no free-form geometry, as none of them has |
 //!
-//! The whole program has 120 ms on two idle cores for such a file, most of which the picture's compression needs.
+//! The whole program has 120 ms on two idle cores for such a file, most of which the drawing needs.
 //! The grammar is a word and numbers a line, so that the reader stays small.
 //!
 //! # How it reads
