@@ -75,7 +75,13 @@ fn impossible_resolutions_are_refused_before_anything_is_read() {
         assert_eq!(said.stderr.lines().count(), 1);
         assert!(said.stderr.contains("--resolution") && said.stderr.contains("16384"), "{}", said.stderr);
     }
-    folder.done("render shape:cube -o out.png --resolution 16384,1");
+    let most = folder.run("render shape:cube -o out.png --resolution 16384,1");
+    assert_eq!(
+        (most.status, folder.picture("out.png").dimensions()),
+        (Some(0), (16384, 1)),
+        "{}",
+        most.stderr
+    );
 }
 
 #[test]
@@ -123,7 +129,7 @@ fn a_picture_of_nothing_says_why() {
     let away = "--camera-position 5,2.5,22 --camera-direction 0,0,1";
     for (arguments, what) in [
         (format!("line.obj {front}"), "all 2 triangles degenerate"),
-        ("line.obj".to_owned(), "`polosa info`"),
+        (format!("line.obj {front}"), "`polosa info`"),
         ("point.obj --wire".to_owned(), "have no edges"),
         ("nan.obj".to_owned(), "1 triangle with coordinates that are not finite, or too large to draw"),
         (format!("square.obj {away}"), "all 2 triangles outside of the view: check --camera-position"),

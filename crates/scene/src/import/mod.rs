@@ -55,7 +55,7 @@ mod skipped;
 mod stl;
 #[cfg(any(feature = "obj", feature = "stl", feature = "ply"))]
 mod text;
-#[cfg(any(feature = "obj", feature = "stl", feature = "ply"))]
+#[cfg(any(feature = "obj", feature = "stl"))]
 mod words;
 
 use core::fmt;

@@ -124,6 +124,11 @@ fn a_broken_gltf_is_refused() {
         ),
         // The library's validation panics on this one.
         (r#""POSITION":0"#, r#""POSITION":2"#, "mesh 0: its positions are accessor 2, but there are only 2"),
+        (
+            r#""bufferView":1,"#,
+            "",
+            "broken, `accessors[1].bufferView` is missing, and nothing can be read without it",
+        ),
         ("VEC3", "VEC2", "accessor 0: its entries have too few components"),
         (r#""version":"2.0""#, r#""version":"1.0""#, "glTF 1.0"),
         (r#""componentType":5121"#, r#""componentType":5126"#, "accessor 1"),

@@ -192,7 +192,7 @@ fn broken(path: &str, error: json::validation::Error) -> Fault {
     use json::validation::Error as Kind;
     let what = match error {
         Kind::IndexOutOfBounds => "names something that is not there",
-        Kind::Missing => "is missing, and glTF demands it",
+        Kind::Missing => "is missing, and nothing can be read without it",
         Kind::Oversize => "is larger than a file can be",
         _ => "has a value that glTF does not know",
     };

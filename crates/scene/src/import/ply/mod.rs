@@ -24,7 +24,6 @@ use super::error::{Fault, Parsed, Place, quote};
 use super::polygon::Cutter;
 use super::skipped::SkippedKind;
 use super::text::Lines;
-use super::words::Words;
 use super::{Context, Part};
 use crate::Color;
 use element::Element;
@@ -141,7 +140,7 @@ fn uncountable(bytes: &[u8]) -> Option<Fault> {
     let header =
         Lines::new(bytes).take_while(|(_, line)| line.trim_ascii() != b"end_header").take(MOST_LINES);
     for (number, line) in header {
-        let mut words = Words::new(line);
+        let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
         let (Some(b"element"), Some(name), Some(count)) = (words.next(), words.next(), words.next()) else {
             continue;
         };
