@@ -117,7 +117,8 @@ pub struct Model {
     pub format: Format,
     /// What was skipped.
     pub skipped: Skipped,
-    /// What the user should know, one line each: a misleading name, a missing material file, ignored features.
+    /// What the user should know, one line each: a misleading name, a missing material file, a material that is
+    /// nowhere or whose colour is none, ignored features.
     pub notes: Vec<String>,
 }
 
