@@ -6,7 +6,8 @@
 
 mod support;
 
-use polosa_raster::{Fragment, Sample, State};
+use polosa_math::{Matrix, coordinates};
+use polosa_raster::{Depth, Fragment, Sample, State, Target};
 use support::classes::{CLASSES, permuted, triangle};
 use support::homogeneous::{Homogeneous, SNAP};
 use support::oracle::{CENTRE, Vertex};
@@ -20,9 +21,8 @@ const HEIGHT: usize = 40;
 /// Draws a triangle and returns the weights of its pixels.
 fn drawn(state: &State, v: &[[f32; 4]; 3]) -> Vec<(i64, i64, [f32; 3])> {
     let mut pixels = vec![None; WIDTH * HEIGHT];
-    let depth = polosa_raster::Depth::None;
-    let mut target =
-        polosa_raster::Target::new(&mut pixels, depth, WIDTH as u32, HEIGHT as u32, WIDTH).unwrap();
+    let depth = Depth::None;
+    let mut target = Target::new(&mut pixels, depth, WIDTH as u32, HEIGHT as u32, WIDTH).unwrap();
     target.triangles(state, v, &[[0, 1, 2]], &|f: &Fragment<'_>, p: &mut Option<_>| {
         *p = Some((i64::from(f.x()), i64::from(f.y()), f.weights()));
         true
@@ -164,4 +164,43 @@ fn weights_of_a_triangle_cut_on_the_grid_keep_the_bound() {
             assert!(error <= exact[k].abs() * 2_f64.powi(-20), "({i}, {j}): {got:?}, not {exact:?}");
         }
     }
+}
+
+/// Another judge, by linear algebra alone: in clip space a pixel is a direction (x, y, 1), and its coordinates in the
+/// basis of the vertices' (x, y, w) are the weights, but for a factor (Olano and Greer, 1997).
+#[test]
+fn weights_are_a_pixels_coordinates_in_the_basis_of_the_vertices() {
+    const SIDE: u32 = 64;
+    let mut rng = Rng::new(23);
+    let mut seen = 0;
+    for _ in 0..400 {
+        // On the sub-pixel grid of a picture of 64 × 64, and w a power of two: snapping moves nothing.
+        let v = [0; 3].map(|_| {
+            let [x, y] = [0; 2].map(|_| (rng.next() % (1 << 14)) as f32 / (1 << 13) as f32 - 1.0);
+            let w = (1_u32 << (rng.next() % 7)) as f32;
+            [x * w, y * w, 0.5 * w, w]
+        });
+        let basis = Matrix::from_columns(v.map(|[x, y, _, w]| [x, y, w].map(f64::from)));
+        let mut pixels = vec![None; (SIDE * SIDE) as usize];
+        let mut target = Target::new(&mut pixels, Depth::None, SIDE, SIDE, SIDE as usize).unwrap();
+        let keep = |f: &Fragment<'_>, p: &mut Option<_>| {
+            *p = Some((f.x(), f.y(), f.weights()));
+            true
+        };
+        target.triangles(&State::default(), &v, &[[0, 1, 2]], &keep);
+        for (x, y, got) in pixels.into_iter().flatten() {
+            let [x, y] = [x, y].map(|k| (f64::from(k) + 0.5) / 32.0);
+            let exact = coordinates(&basis, [x - 1.0, 1.0 - y, 1.0]).expect("drawn, so it has an area");
+            let sum: f64 = exact.iter().sum();
+            for (got, exact) in got.into_iter().zip(exact) {
+                assert!(
+                    (f64::from(got) - exact / sum).abs() < 2_f64.powi(-20),
+                    "{v:?}: {got}, not {}",
+                    exact / sum
+                );
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 50_000, "{seen}");
 }
