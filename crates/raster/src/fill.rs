@@ -41,6 +41,10 @@ impl<P: Copy> Target<'_, P> {
             };
             let mut value = None;
             setup.triangle([a, b, c], &mut stats, |piece| {
+                // Nothing is asked about what lies in another band, or between two rows of samples.
+                if piece.triangle.rows(state.sample, clip).is_empty() {
+                    return;
+                }
                 match *value.get_or_insert_with(|| shade.triangle(index)) {
                     Some(pixel) => self.flat(state, clip, piece, pixel),
                     None => self.shaded(state, clip, piece, index, shade),

@@ -19,6 +19,8 @@
 //! `dx / dy`, kept as a quotient and a remainder; nothing is ever rounded. (An integer walker of this kind is
 //! Bresenham's; the ceiling is the top-left rule.)
 
+use core::ops::Range;
+
 use crate::snap::PIXEL;
 use crate::{Corner, Rect, Sample, Triangle};
 
@@ -34,6 +36,13 @@ pub struct Strip {
 }
 
 impl Triangle {
+    /// The rows inside `clip` whose samples the triangle reaches; empty for many a small one.
+    #[inline]
+    pub(crate) fn rows(&self, sample: Sample, clip: Rect) -> Range<i64> {
+        let [top, _, bottom] = self.corners();
+        first_at(top.y, sample.y).max(clip.y0.into())..first_at(bottom.y, sample.y).min(clip.y1.into())
+    }
+
     /// The strips of pixels inside `clip` whose sample the triangle covers, from top to bottom.
     ///
     /// `clip` must not reach beyond 16,384 pixels to the right or down.
@@ -41,8 +50,8 @@ impl Triangle {
     #[must_use]
     pub fn strips(&self, sample: Sample, clip: Rect) -> Strips {
         let [top, middle, bottom] = self.corners();
-        let row_of = |corner: &Corner| first_at(corner.y, sample.y).clamp(clip.y0.into(), clip.y1.into());
-        let [first, turn, end] = [row_of(top), row_of(middle), row_of(bottom)];
+        let Range { start: first, end } = self.rows(sample, clip);
+        let turn = first_at(middle.y, sample.y).clamp(first, end.max(first));
         // The long side runs through; the other changes at the middle corner.
         let start = if first < turn { (top, middle) } else { (middle, bottom) };
         let long = Side::new(top, bottom, sample, first);
