@@ -74,7 +74,7 @@ fn camera(width: u32, height: u32) -> Result<Camera, polosa_scene::CameraError> 
 }
 
 /// The objects, farther ones first.
-fn world() -> Result<World, Box<dyn std::error::Error>> {
+pub(crate) fn world() -> Result<World, Box<dyn std::error::Error>> {
     let mut world = World::new();
     let floor = world.add_mesh(floor()?);
     world.add(Object::new(floor))?;

@@ -12,7 +12,7 @@ use polosa_scene::import::ImportError;
 #[non_exhaustive]
 pub enum Error {
     /// Options that contradict each other or cannot be followed; nothing was done. Exit status 2.
-    #[error("{0}; see `polosa render --help`")]
+    #[error("{0}; see --help")]
     Usage(String),
     /// A model that could not be read.
     #[error(transparent)]

@@ -4,6 +4,7 @@
 //! however large the picture is. A band has the same bytes as those rows of the whole, so that no number of threads
 //! changes the picture.
 
+use core::num::NonZeroUsize;
 use core::ops::Range;
 use std::panic::resume_unwind;
 use std::thread;
@@ -67,6 +68,9 @@ pub struct PictureSettings {
     pub distances: bool,
     /// Whether to keep the triangle at each pixel.
     pub ids: bool,
+    /// Threads that draw, 256 at most and no more than the picture has rows; no number of them changes a bit.
+    /// `None`: as many as the machine runs at once, but no more than a picture of this size is worth.
+    pub threads: Option<NonZeroUsize>,
 }
 
 impl Default for PictureSettings {
@@ -79,6 +83,7 @@ impl Default for PictureSettings {
             samples: Samples::One,
             distances: false,
             ids: false,
+            threads: None,
         }
     }
 }
@@ -143,9 +148,8 @@ impl Picture {
             stats: DrawStats::default(),
         };
         let scene = Scene { world, camera, light, style, settings };
-        let threads =
-            if size < WORTH_A_THREAD { 1 } else { thread::available_parallelism().map_or(1, usize::from) };
-        let threads = threads.min(MOST_THREADS);
+        let threads = settings.threads.map_or_else(|| worthwhile_threads(size), NonZeroUsize::get);
+        let threads = threads.min(256).min(height as usize);
         let rows = (BAND / threads / width as usize).clamp(1, (height as usize).div_ceil(threads));
         // Bands are dealt out in turn: neighbours, which cost much the same, go to different threads.
         let mut hands: Vec<Vec<Band<'_>>> = (0..threads).map(|_| Vec::new()).collect();
@@ -191,6 +195,14 @@ impl Picture {
             })
             .collect()
     }
+}
+
+/// How many threads a picture of so many pixels is drawn by when nobody says so.
+fn worthwhile_threads(pixels: usize) -> usize {
+    if pixels < WORTH_A_THREAD {
+        return 1;
+    }
+    thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS)
 }
 
 /// What is drawn, and how.

@@ -1,5 +1,6 @@
 //! The values of options: texts become what they mean, or an error that shows how it is written.
 
+use core::num::NonZeroUsize;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
@@ -217,6 +218,29 @@ pub(super) fn samples(text: &str) -> Result<Samples, String> {
     }
 }
 
+/// The most threads that can be asked for.
+const MOST_THREADS: u64 = 256;
+
+/// A number of threads.
+pub(super) fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = whole(text, MOST_THREADS).and_then(|count| NonZeroUsize::new(count as usize));
+    threads.ok_or_else(|| format!("write a whole number of threads, from 1 to {MOST_THREADS}"))
+}
+
+/// The most frames that can be asked for.
+const MOST_FRAMES: u64 = 1_000_000;
+
+/// A number of frames.
+pub(super) fn frames(text: &str) -> Result<NonZeroUsize, String> {
+    let frames = whole(text, MOST_FRAMES).and_then(|count| NonZeroUsize::new(count as usize));
+    frames.ok_or_else(|| format!("write a whole number of frames, from 1 to {MOST_FRAMES}"))
+}
+
+/// A whole number, up to `most`.
+fn whole(text: &str, most: u64) -> Option<u64> {
+    text.trim().parse().ok().filter(|count| *count <= most)
+}
+
 /// An axis: `+Y`, `-Z`, `X`, …
 pub(super) fn up(text: &str) -> Result<Up, String> {
     match text.to_ascii_uppercase().as_str() {
@@ -276,7 +300,10 @@ mod tests {
 
     use polosa_math::glam::DVec3;
 
-    use super::{ModelArg, OutputArg, Resolution, direction, length, resolution, up, vector, view_angle};
+    use super::{
+        ModelArg, OutputArg, Resolution, direction, frames, length, resolution, threads, up, vector,
+        view_angle,
+    };
     use crate::output::Destination;
     use crate::view::Up;
 
@@ -294,6 +321,14 @@ mod tests {
         }
         assert!(view_angle("0").is_err() && view_angle("180").is_err() && view_angle("179.9").is_ok());
         assert!(length("0").is_err() && length("-1").is_err() && length("1e-9").is_ok());
+        assert_eq!(threads(" 256 ").map(usize::from), Ok(256));
+        assert_eq!(frames("1000000").map(usize::from), Ok(1_000_000));
+        for text in ["", "0", "-1", "1.5", "2e1", "257", "99999999999999999999999"] {
+            assert!(threads(text).unwrap_err().contains("from 1 to 256"), "{text}");
+        }
+        for text in ["", "0", "-1", "1.5", "1000001", "99999999999999999999999"] {
+            assert!(frames(text).unwrap_err().contains("from 1 to 1000000"), "{text}");
+        }
     }
 
     #[test]

@@ -9,14 +9,17 @@
 //! standard error.
 
 mod args;
+mod bench;
 mod info;
 mod job;
 mod load;
+mod models;
 mod progress;
 mod render;
 mod render_args;
 mod report;
 mod unseen;
+mod view_args;
 mod words;
 
 use std::ffi::OsString;
@@ -45,12 +48,14 @@ Examples:
   polosa render bunny.obj -o bunny.png      a model's picture
   polosa render shape:teapot -o teapot.png  a standard shape
   polosa info bunny.obj                     counts, bounds, materials, holes
+  polosa bench bunny.obj                    how fast this machine draws it
   polosa render --help                      all options, all shapes";
 
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(Box<render_args::RenderArgs>),
     Info(info::InfoArgs),
+    Bench(Box<bench::BenchArgs>),
 }
 
 /// Does what the arguments, the program's name first, ask for; the program's exit status.
@@ -67,6 +72,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match cli.command {
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Info(args)) => info::run(&args),
+        Some(Command::Bench(args)) => bench::run(&args),
         None => guard::caught(Path::new(crate::demo::FILE), demo),
     };
     match done {

@@ -8,6 +8,7 @@ use polosa_raster::Stats;
 use polosa_scene::{Projection, Samples};
 use serde_json::{Value, json};
 
+use super::models::ModelFacts;
 use super::render::Made;
 use super::words::counted;
 use crate::error::one_line;
@@ -31,16 +32,7 @@ fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
         counted(samples(settings.samples), "sample", "samples")
     )?;
     for model in &made.models {
-        writeln!(
-            text,
-            "  {:<12}{}: {}, {}, {}, {}",
-            "model",
-            model.name,
-            model.kind,
-            counted(model.parts as u64, "part", "parts"),
-            counted(model.vertices, "vertex", "vertices"),
-            counted(model.triangles, "triangle", "triangles")
-        )?;
+        writeln!(text, "  {:<12}{}", "model", model.text())?;
         for remark in &model.remarks {
             writeln!(text, "  {:<12}{}", "", one_line(remark))?;
         }
@@ -86,20 +78,7 @@ fn named(stats: &Stats) -> [(&'static str, u64); 7] {
 /// For programs: one line of JSON.
 pub(super) fn json(made: &Made<'_>) -> String {
     let name = |to: &crate::output::Destination| to.name().to_string_lossy().into_owned();
-    let models: Vec<Value> = made
-        .models
-        .iter()
-        .map(|model| {
-            json!({
-                "name": model.name,
-                "format": model.kind,
-                "parts": model.parts,
-                "vertices": model.vertices,
-                "triangles": model.triangles,
-                "remarks": model.remarks,
-            })
-        })
-        .collect();
+    let models: Vec<Value> = made.models.iter().map(ModelFacts::json).collect();
     let value = json!({
         "output": name(&made.job.picture.0),
         "depth_image": made.job.depth.as_ref().map(name),

@@ -13,13 +13,13 @@ use polosa_raster::Stats;
 use polosa_scene::{Camera, Picture, PictureSettings, World};
 
 use super::args::CullArg;
-use super::render::points;
-use super::render_args::RenderArgs;
+use super::models::points;
+use super::view_args::ViewArgs;
 use super::words::counted;
 
 /// The note about a picture, if it needs one: that it shows nothing, and why; else that it lacks something.
 pub(super) fn note(
-    args: &RenderArgs,
+    args: &ViewArgs,
     settings: &PictureSettings,
     world: &World,
     camera: &Camera,
@@ -47,7 +47,7 @@ fn is_blank(settings: &PictureSettings, picture: &Picture) -> bool {
 }
 
 /// Where the faces and edges were lost.
-fn reasons(args: &RenderArgs, world: &World, camera: &Camera, picture: &Picture) -> String {
+fn reasons(args: &ViewArgs, world: &World, camera: &Camera, picture: &Picture) -> String {
     let (triangles, lines) = (&picture.stats.triangles, &picture.stats.lines);
     if triangles.submitted + lines.submitted == 0 {
         return if args.wire { "the models have no edges" } else { "the models have no triangles" }

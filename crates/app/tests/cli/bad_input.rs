@@ -27,7 +27,11 @@ const FILES: &[Case] = &[
 fn a_bad_file_is_one_line_that_names_it_and_leaves_no_output() {
     for (name, content, substance) in FILES {
         let folder = Folder::new().with(name, content);
-        for command in [format!("render {name} -o out.png --resolution 20,20"), format!("info {name}")] {
+        for command in [
+            format!("render {name} -o out.png --resolution 20,20"),
+            format!("info {name}"),
+            format!("bench {name} --resolution 20,20 --frames 1"),
+        ] {
             let said = folder.run(&command);
             assert_eq!(said.status, Some(1), "{command}: {}", said.stderr);
             assert_eq!(said.stderr.lines().count(), 1, "{command}: {}", said.stderr);
@@ -70,10 +74,12 @@ fn impossible_resolutions_are_refused_before_anything_is_read() {
     for size in
         ["0,0", "0,100", "100,0", "16385,1", "1,16385", "4294967296,4294967296", "1,99999999999999999999999"]
     {
-        let said = folder.run(&format!("render missing.obj -o out.png --resolution {size}"));
-        assert_eq!(said.status, Some(1), "{size}");
-        assert_eq!(said.stderr.lines().count(), 1);
-        assert!(said.stderr.contains("--resolution") && said.stderr.contains("16384"), "{}", said.stderr);
+        for command in ["render missing.obj -o out.png", "bench missing.obj", "bench"] {
+            let said = folder.run(&format!("{command} --resolution {size}"));
+            assert_eq!(said.status, Some(1), "{command} {size}");
+            assert_eq!(said.stderr.lines().count(), 1);
+            assert!(said.stderr.contains("--resolution") && said.stderr.contains("16384"), "{}", said.stderr);
+        }
     }
     let most = folder.run("render shape:cube -o out.png --resolution 16384,1");
     assert_eq!(
@@ -223,6 +229,21 @@ fn wrong_usage_exits_with_2_and_says_what_is_right() {
         ("render m.obj -o --edges", "--edges"),
         ("info", "MODEL"),
         ("info - -", "once"),
+        ("render m.obj -o x.png --threads 0", "from 1 to 256"),
+        ("render m.obj -o x.png --threads 257", "from 1 to 256"),
+        ("render m.obj -o x.png --threads -1", "from 1 to 256"),
+        ("render m.obj -o x.png --threads two", "from 1 to 256"),
+        ("bench m.obj --threads 0", "from 1 to 256"),
+        ("bench m.obj --frames 0", "from 1 to 1000000"),
+        ("bench m.obj --frames -5", "from 1 to 1000000"),
+        ("bench m.obj --frames 99999999999999999999999", "from 1 to 1000000"),
+        ("bench m.obj --frames 2.5", "from 1 to 1000000"),
+        ("bench m.obj --resolution 640", "W,H"),
+        ("bench m.obj --output x.png", "--output"),
+        ("bench m.obj --edges --wire", "--wire"),
+        ("bench m.obj --camera-position 1,2,3 --camera-focal-point 1,2,3", "are one point"),
+        ("bench shape:cubicle", "cube"),
+        ("bench - -", "once"),
         ("dance", "dance"),
     ] {
         let said = folder.run(arguments);

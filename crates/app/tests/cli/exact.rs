@@ -152,3 +152,23 @@ fn the_same_command_writes_the_same_bytes() {
         assert_eq!(folder.bytes(&format!("a{suffix}")), folder.bytes(&format!("b{suffix}")), "{suffix}");
     }
 }
+
+#[test]
+fn no_number_of_threads_changes_a_byte() {
+    let folder = Folder::new();
+    for options in ["--edges", "--samples 4 --background none", "--wire", "--resolution 640,480"] {
+        let outputs = "--depth-image {}.pfm --id-image {}-ids.png -o {}.png";
+        let made = |threads: &str| {
+            let name = if threads.is_empty() { "default" } else { threads };
+            let threads = if threads.is_empty() { String::new() } else { format!("--threads {threads}") };
+            let outputs = outputs.replace("{}", name);
+            let size = if options.contains("--resolution") { "" } else { "--resolution 101,77" };
+            folder.done(&format!("render shape:teapot:6 shape:cube {options} {size} {threads} {outputs}"));
+            [".png", ".pfm", "-ids.png"].map(|end| folder.bytes(&format!("{name}{end}")))
+        };
+        let one = made("1");
+        for threads in ["", "2", "3", "8", "256"] {
+            assert!(made(threads) == one, "{options}: {threads} threads");
+        }
+    }
+}

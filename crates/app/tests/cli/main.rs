@@ -1,6 +1,7 @@
 //! The program as its users meet it: run, and its files looked at.
 
 mod bad_input;
+mod bench;
 mod exact;
 mod help;
 mod info;
