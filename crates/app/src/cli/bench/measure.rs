@@ -49,7 +49,7 @@ impl Spread {
     }
 }
 
-/// How fast memory is filled with one byte: no picture of the same size is drawn faster by one thread.
+/// How fast one thread fills memory with one byte: a yardstick for whatever writes every pixel's colour and depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Memset {
     /// Bytes that were filled.
