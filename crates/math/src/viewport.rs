@@ -13,10 +13,21 @@
 //! The raster core snaps with it, the camera projects points with it and casts pick rays back through it, so
 //! that all three agree. Everything is `f64`: the map never decides a rounding, its callers do.
 
+use core::ops::{Add, Div, Mul};
+
 /// Sub-pixels along one side of a pixel.
 ///
 /// Direct3D 11 asks for exactly this precision. All bounds on overflow in the raster core rest on it.
 pub const SUB_PIXELS: i32 = 256;
+
+/// Where one coordinate lands: the expression itself, for numbers and for lanes of them alike.
+#[inline(always)]
+pub fn sub_pixels<T>(v: T, w: T, scale: T, offset: T) -> T
+where
+    T: Div<Output = T> + Mul<Output = T> + Add<Output = T>,
+{
+    v / w * scale + offset
+}
 
 /// The linear map from clip space to the sub-pixels of a picture.
 ///
@@ -47,7 +58,7 @@ impl Viewport {
     #[inline]
     #[must_use]
     pub fn to_sub_pixels(&self, x: f64, y: f64, w: f64) -> [f64; 2] {
-        [x / w * self.scale[0] + self.offset[0], y / w * self.scale[1] + self.offset[1]]
+        [sub_pixels(x, w, self.scale[0], self.offset[0]), sub_pixels(y, w, self.scale[1], self.offset[1])]
     }
 
     /// Where a point of clip space lands, in pixels. `w` must not be zero.

@@ -14,19 +14,39 @@
 //! 5·2⁻²⁴ of the value however thin or steep the triangle is. Plane equations lose thousands of times more on
 //! slivers, and any other anchor a thousand times more on a floor that runs to the horizon.
 
+use core::ops::{Add, Div, Mul};
+
 use crate::edge::{Edge, PixelEdge};
 use crate::snap::PIXEL;
 use crate::{Sample, Triangle};
 
+/// The formula before the clamp, for numbers and for lanes of them alike.
+#[inline(always)]
+pub(crate) fn formula<T>(c: T, q: [T; 2], e: [T; 2]) -> T
+where
+    T: Copy + Add<Output = T> + Mul<Output = T>,
+{
+    (c + e[0] * q[0]) + e[1] * q[1]
+}
+
+/// c and q before they are rounded; `pixel` is 256. Numbers or lanes of `f64`.
+#[inline(always)]
+pub(crate) fn coefficients<T>(anchor: T, delta: [T; 2], rest: [T; 2], area: T, pixel: T) -> (T, [T; 2])
+where
+    T: Copy + Add<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
+    (anchor + (rest[0] * delta[0] + rest[1] * delta[1]) / area, delta.map(|d| pixel * d / area))
+}
+
 /// A triangle's depth at every pixel it covers.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthPlane {
-    c: f32,
-    q: [f32; 2],
-    most: f32,
-    edges: [PixelEdge; 2],
+    pub(crate) c: f32,
+    pub(crate) q: [f32; 2],
+    pub(crate) most: f32,
+    pub(crate) edges: [PixelEdge; 2],
     /// Whether E′ fits an `i32` all over the triangle.
-    narrow: bool,
+    pub(crate) narrow: bool,
 }
 
 impl Triangle {
@@ -47,9 +67,10 @@ impl Triangle {
         let delta = others.map(|k| f64::from(z[k]) - f64::from(z[anchor]));
         let area = to_f64(self.area());
         let rest = edges.map(|edge| to_f64(edge.rest));
+        let (c, q) = coefficients(f64::from(z[anchor]), delta, rest, area, to_f64(PIXEL));
         DepthPlane {
-            c: to_f32(f64::from(z[anchor]) + (rest[0] * delta[0] + rest[1] * delta[1]) / area),
-            q: delta.map(|d| to_f32(to_f64(PIXEL) * d / area)),
+            c: to_f32(c),
+            q: q.map(to_f32),
             most: z[0].max(z[1]).max(z[2]),
             edges,
             narrow: self.area() >> 8 <= i64::from(i32::MAX),
@@ -65,10 +86,20 @@ impl DepthPlane {
         self.value(self.edges.map(|edge| wide_to_f32(edge.at(x, y))))
     }
 
+    /// Bounds on the depth over a rectangle of pixels with these corners. The formula never decreases with E′, in
+    /// any of its steps, and E′ is linear, so that it is least, and greatest, in a corner; the depth *at* the corners
+    /// is no bound, as the two E′ have their extremes in different ones.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn range(&self, corners: [(u32, u32); 4]) -> [f32; 2] {
+        let values = self.edges.map(|edge| corners.map(|(x, y)| edge.at(x, y)));
+        let all = |of: fn(i64, i64) -> i64| values.map(|[a, b, c, d]| wide_to_f32(of(of(a, b), of(c, d))));
+        [self.value(all(i64::min)), self.value(all(i64::max))]
+    }
+
     /// The formula. The comparison is written so that it becomes one instruction, the same in every lane.
     #[inline]
-    fn value(&self, [e1, e2]: [f32; 2]) -> f32 {
-        let z = (self.c + e1 * self.q[0]) + e2 * self.q[1];
+    fn value(&self, e: [f32; 2]) -> f32 {
+        let z = formula(self.c, self.q, e);
         if z < self.most { z } else { self.most }
     }
 

@@ -60,10 +60,17 @@
     reason = "every conversion of the core says what it rounds"
 )]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
 mod clip;
 mod depth;
 mod edge;
 mod fill;
+#[cfg(feature = "alloc")]
+mod frame;
 mod line;
 mod outline;
 mod setup;
@@ -82,6 +89,8 @@ mod weights;
 pub type Clip = [f32; 4];
 
 pub use depth::DepthPlane;
+#[cfg(feature = "alloc")]
+pub use frame::{Frame, Level, Sampled, Triangles, Vertices};
 pub use shade::{Flat, Fragment, PerTriangle, Shade};
 pub use snap::Corner;
 pub use state::{Cull, DepthTest, Rect, Sample, Space, State};

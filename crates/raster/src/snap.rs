@@ -13,7 +13,7 @@ pub(crate) const PIXEL: i64 = SUB_PIXELS as i64;
 pub(crate) const GUARD: i32 = (1 << 23) - 2;
 
 /// 1.5 · 2⁵²: added to an `f64` of less than 2⁵¹, it leaves the nearest integer in the low bits.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// A vertex on the sub-pixel grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,11 +38,12 @@ pub(crate) fn snap(viewport: &Viewport, [x, y, z, w]: [f64; 4]) -> Corner {
     Corner { x: round(x), y: round(y), z: depth(z, w), w }
 }
 
-/// A vertex's depth. Inside the planes `z / w` is in 0..=1 already; what a cut's rounding adds is taken off.
+/// A vertex's depth. Inside the planes `z / w` is in 0..=1 already; what a cut's rounding adds is taken off, and so
+/// is the sign of a negative zero.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "the one rounding of a vertex's depth")]
 pub(crate) fn depth(z: f64, w: f64) -> f32 {
-    (z / w).clamp(0.0, 1.0) as f32
+    ((z / w).clamp(0.0, 1.0) + 0.0) as f32
 }
 
 /// Rounds to the nearest integer, ties to even; the value must lie within ±2³¹.

@@ -43,6 +43,14 @@ impl Triangle {
         first_at(top.y, sample.y).max(clip.y0.into())..first_at(bottom.y, sample.y).min(clip.y1.into())
     }
 
+    /// The columns inside `clip` that the triangle's box reaches.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn columns(&self, sample: Sample, clip: Rect) -> Range<i64> {
+        let [a, b, c] = self.corners().map(|corner| corner.x);
+        let (left, right) = (a.min(b).min(c), a.max(b).max(c));
+        first_at(left, sample.x).max(clip.x0.into())..first_at(right, sample.x).min(clip.x1.into())
+    }
+
     /// The strips of pixels inside `clip` whose sample the triangle covers, from top to bottom.
     ///
     /// `clip` must not reach beyond 16,384 pixels to the right or down.

@@ -60,6 +60,15 @@ pub enum TargetError {
         /// The picture's height.
         height: u32,
     },
+    /// A frame was finished into a target of another picture's size.
+    Frame {
+        /// The frame's width and height.
+        frame: [u32; 2],
+        /// The target's.
+        target: [u32; 2],
+    },
+    /// A frame was finished into a target whose depth has another format.
+    Format,
     /// The slice of pixels is too short.
     Color {
         /// `(rows − 1) · stride + width`.
@@ -87,6 +96,12 @@ impl fmt::Display for TargetError {
             }
             Self::Rows { start, end, height } => {
                 write!(f, "rows {start}..{end} of a picture with {height}: name rows that it has")
+            }
+            Self::Frame { frame: [fw, fh], target: [tw, th] } => {
+                write!(f, "a frame of {fw}×{fh} pixels for a picture of {tw}×{th}: begin it with the picture's size")
+            }
+            Self::Format => {
+                write!(f, "the target keeps depth in another format than the frame: begin it with the target's")
             }
             Self::Color { needed, given } => {
                 write!(f, "{given} pixels of colour given, {needed} needed")
@@ -129,8 +144,8 @@ pub struct Target<'a, P> {
     pub(crate) depth: Depth<'a>,
     pub(crate) width: u32,
     pub(crate) height: u32,
-    stride: usize,
-    rows: Range<u32>,
+    pub(crate) stride: usize,
+    pub(crate) rows: Range<u32>,
 }
 
 impl<'a, P: Copy> Target<'a, P> {
