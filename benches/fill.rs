@@ -1,106 +1,195 @@
-//! The fill loop of the raster core: triangles of one size each, with depth, into a warm target.
+//! The fill of the raster core: triangles of one size each, with depth, beside what the machine itself can do.
 //!
 //! ```sh
-//! cargo bench --bench fill
+//! cargo bench -p polosa-benches --no-default-features --bench fill
+//! cargo bench --bench fill -- soup/          # one group, or whatever matches
+//! cargo bench --bench fill -- --save-baseline before
 //! ```
 //!
-//! Every group draws the same random triangles (own generator, fixed seed) over and over; before it is timed,
-//! its picture is drawn once more by asking for each fragment, and must be the same.
+//! | group | what it draws, or does |
+//! |---|---|
+//! | `quoted` | the three soups of the tables in the docs, from clip space, in perspective, and with transform |
+//! | `soup` | triangles of 2 px to the full screen, with depth |
+//! | `no depth` | the full screen as a triangle pair, without depth |
+//! | `clear` | colour and depth |
+//! | `memset` | `fill` of a slice, from what fits in the nearest cache to what fits in none |
+//! | `ceiling` | depth test and store over a tile in the nearest cache: see `ceiling.rs` |
+//!
+//! The triangles are the same in every run (own generator, fixed seed). Before a soup is timed its picture is drawn
+//! by every path and by asking for each fragment: all must be the same, in colour and in depth.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use polosa_raster::{Depth, DepthTest, Flat, Fragment, PerTriangle, Space, State, Target};
+use fearless_simd::Level;
+use polosa_benches::ceiling::{self, Plane, SIDE, Tile};
+use polosa_benches::ours::{Path, Picture};
+use polosa_benches::workloads::{AREAS, HEIGHT, SIZES, Soup, TINY, WIDTH};
+use polosa_raster::{Depth, DepthTest, Flat, Fragment, State, Target};
 
-const WIDTH: u32 = 1920;
-const HEIGHT: u32 = 1080;
-const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+/// Three seconds a figure at most: the whole stays under three minutes.
+fn brief() -> Criterion {
+    Criterion::default()
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_millis(1_500))
+        .sample_size(20)
+}
 
-/// Areas in pixels, and how many triangles of each.
-const SIZES: [(f32, usize); 5] =
-    [(2.0, 100_000), (50.0, 20_000), (512.0, 4_000), (5_000.0, 400), (80_000.0, 40)];
+/// The value of a triangle: what a shaded mesh would have computed for it.
+fn value(triangle: usize) -> u32 {
+    triangle as u32 + 1
+}
 
-/// Marsaglia's xorshift.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f32 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 40) as f32 / (1 << 24) as f32
+/// Every path, and every fragment asked for, must give one picture, and one that shows something.
+fn check(vertices: &[[f32; 4]], indices: &[[u32; 3]]) {
+    let mut asked = Picture::new([WIDTH, HEIGHT]);
+    let shade = |fragment: &Fragment<'_>, pixel: &mut u32| {
+        *pixel = value(fragment.triangle());
+        true
+    };
+    let mut target = asked.target();
+    target.clear(0, DepthTest::Greater);
+    let stats = target.triangles(&State::default(), vertices, indices, &shade);
+    assert_eq!(stats.drawn + stats.degenerate + stats.outside, indices.len() as u64);
+    assert!(asked.color.iter().any(|&pixel| pixel != 0), "an empty picture");
+    for mut path in Path::all(1) {
+        let mut picture = Picture::new([WIDTH, HEIGHT]);
+        path.draw(&mut picture, vertices, indices, &value);
+        assert!(picture.color == asked.color, "{} has other pixels", path.name());
+        assert!(picture.depth == asked.depth, "{} has other depths", path.name());
     }
 }
 
-/// Triangles of about one area, turned and placed at random, already in pixels.
-fn triangles(area: f32, count: usize) -> (Vec<[f32; 4]>, Vec<[u32; 3]>) {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    // Equilateral: area = 3√3/4 · radius².
-    let radius = (area / 1.299).sqrt();
-    let mut vertices = Vec::with_capacity(count * 3);
-    for _ in 0..count {
-        let (x, y) = (random.unit() * WIDTH as f32, random.unit() * HEIGHT as f32);
-        let turn = random.unit() * std::f32::consts::TAU;
-        for k in 0..3_u8 {
-            let angle = turn + f32::from(k) * std::f32::consts::TAU / 3.0;
-            vertices.push([x + radius * angle.cos(), y + radius * angle.sin(), random.unit(), 1.0]);
+fn quoted(c: &mut Criterion) {
+    let mut group = c.benchmark_group("quoted");
+    let mut picture = Picture::new([WIDTH, HEIGHT]);
+    for size in SIZES {
+        let soup = Soup::of(size);
+        group.throughput(Throughput::Elements(u64::from(size.count)));
+        for (form, vertices) in [("clip space", soup.flat()), ("perspective", soup.perspective())] {
+            check(&vertices, &soup.indices);
+            for mut path in Path::all(1) {
+                let name = format!("{}, {form}", size.name);
+                group.bench_function(BenchmarkId::new(name, path.name()), |b| {
+                    b.iter(|| path.draw(&mut picture, black_box(&vertices), &soup.indices, &value));
+                });
+            }
         }
     }
-    let indices = (0..count as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
-    (vertices, indices)
-}
-
-fn fill(c: &mut Criterion) {
-    let state = State { space: Space::Screen, ..State::default() };
-    let (mut color, mut depth) = (vec![0_u32; PIXELS], vec![0_f32; PIXELS]);
-    for (area, count) in SIZES {
-        let (vertices, indices) = triangles(area, count);
-        let value = |triangle: usize| triangle as u32 + 1;
-
-        let mut draw = |shaded: bool| {
-            let depth = Depth::F32(&mut depth);
-            let mut target =
-                Target::new(&mut color, depth, WIDTH, HEIGHT, WIDTH as usize).expect("sizes fit");
-            target.clear(0, DepthTest::Greater);
-            let stats = if shaded {
-                let shade = |fragment: &Fragment<'_>, pixel: &mut u32| {
-                    *pixel = value(fragment.triangle());
-                    true
-                };
-                target.triangles(&state, &vertices, &indices, &shade)
-            } else {
-                target.triangles(&state, &vertices, &indices, &PerTriangle(value))
-            };
-            assert_eq!(stats.drawn, count as u64);
-            color.clone()
-        };
-        assert!(draw(true) == draw(false), "a fragment at a time and strip by strip must give one picture");
-
-        let mut group = c.benchmark_group("fill");
-        group.sample_size(20).throughput(Throughput::Elements(count as u64));
-        let depth = Depth::F32(&mut depth);
-        let mut target = Target::new(&mut color, depth, WIDTH, HEIGHT, WIDTH as usize).expect("sizes fit");
-        group.bench_function(BenchmarkId::new("strips", format!("{area} px")), |b| {
+    let soup = Soup::of(TINY);
+    let (matrix, positions) = (soup.matrix(), soup.positions());
+    let mut clip = vec![[0.0; 4]; positions.len()];
+    for mut path in Path::all(1) {
+        group.bench_function(BenchmarkId::new("tiny, with transform", path.name()), |b| {
             b.iter(|| {
-                target.clear(0, DepthTest::Greater);
-                target.triangles(&state, black_box(&vertices), &indices, &PerTriangle(value))
+                polosa_raster::transform(&matrix, black_box(&positions), &mut clip);
+                path.draw(&mut picture, &clip, &soup.indices, &value)
             });
         });
-        group.finish();
     }
+    group.finish();
+}
+
+fn soups(c: &mut Criterion) {
+    let mut group = c.benchmark_group("soup");
+    let mut picture = Picture::new([WIDTH, HEIGHT]);
+    for (area, count) in AREAS {
+        let soup = Soup::of_area(area, count);
+        let vertices = soup.flat();
+        check(&vertices, &soup.indices);
+        group.throughput(Throughput::Elements(u64::from(count)));
+        for mut path in Path::all(1) {
+            group.bench_function(BenchmarkId::new(format!("{area} px"), path.name()), |b| {
+                b.iter(|| path.draw(&mut picture, black_box(&vertices), &soup.indices, &value));
+            });
+        }
+    }
+    group.finish();
+}
+
+fn whole_screen(c: &mut Criterion) {
+    let mut picture = Picture::new([WIDTH, HEIGHT]);
+    let pixels = picture.color.len() as u64;
+
+    let mut group = c.benchmark_group("no depth");
+    group.throughput(Throughput::Bytes(4 * pixels));
+    let corners = [[-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]].map(|[x, y]| [x, y, 0.5, 1.0]);
+    let off = State { test: DepthTest::Off, write: false, ..State::default() };
+    let size = [WIDTH, HEIGHT];
+    let mut target =
+        Target::new(&mut picture.color, Depth::None, size[0], size[1], size[0] as usize).expect("sizes fit");
+    group.bench_function("a triangle pair", |b| {
+        b.iter(|| target.triangles(&off, black_box(&corners), &[[0, 1, 2], [0, 2, 3]], &Flat(7)));
+    });
+    assert!(picture.color.iter().all(|&pixel| pixel == 7), "the pair covers the picture");
+    group.finish();
 
     let mut group = c.benchmark_group("clear");
-    group.throughput(Throughput::Bytes(PIXELS as u64 * 8));
-    let mut target =
-        Target::new(&mut color, Depth::F32(&mut depth), WIDTH, HEIGHT, WIDTH as usize).expect("sizes fit");
-    group.bench_function("color and depth", |b| b.iter(|| target.clear(black_box(7), DepthTest::Greater)));
-    let quad = [[0.0, 0.0], [0.0, 1080.0], [1920.0, 1080.0], [1920.0, 0.0]].map(|[x, y]| [x, y, 0.5, 1.0]);
-    let off = State { test: DepthTest::Off, write: false, ..state };
-    group.bench_function("a triangle pair without depth", |b| {
-        b.iter(|| target.triangles(&off, black_box(&quad), &[[0, 1, 2], [0, 2, 3]], &Flat(7)));
+    group.throughput(Throughput::Bytes(8 * pixels));
+    let mut target = picture.target();
+    group.bench_function("colour and depth", |b| {
+        b.iter(|| target.clear(black_box(7), DepthTest::Greater));
     });
     group.finish();
 }
 
-criterion_group!(benches, fill);
+fn memset(c: &mut Criterion) {
+    let mut group = c.benchmark_group("memset");
+    for kib in [16, 512, 8 << 10, 64 << 10] {
+        let mut slice = vec![0_u32; kib << 8];
+        group.throughput(Throughput::Bytes((kib as u64) << 10));
+        group.bench_function(format!("{kib} KiB"), |b| {
+            b.iter(|| black_box(&mut slice[..]).fill(black_box(7)));
+        });
+    }
+    group.finish();
+}
+
+fn ceilings(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ceiling");
+    group.throughput(Throughput::Elements((SIDE * SIDE) as u64));
+    let level = Level::new();
+
+    // Alternately in front of what is there and behind it: in the mean half of the pixels change.
+    let planes = [Plane::sample(0.2), Plane::sample(0.1)];
+    let draw = |by: &dyn Fn(&mut Tile, &Plane, u32)| {
+        let mut tile = Tile::default();
+        for (id, plane) in (1..).zip(&planes) {
+            by(&mut tile, plane, id);
+        }
+        tile
+    };
+    let reference = draw(&ceiling::plain);
+    assert!(reference == draw(&|tile, plane, id| ceiling::plain_at(level, tile, plane, id)));
+    assert!(reference == draw(&|tile, plane, id| ceiling::lanes(level, tile, plane, id)));
+
+    let mut tile = Tile::default();
+    let mut id = 0;
+    let mut next = move || {
+        id += 1;
+        (planes[id as usize % 2], id)
+    };
+    group.bench_function("plain, as the build targets", |b| {
+        b.iter(|| {
+            let (plane, id) = next();
+            ceiling::plain(black_box(&mut tile), &plane, id);
+        });
+    });
+    group.bench_function("plain, for this machine", |b| {
+        b.iter(|| {
+            let (plane, id) = next();
+            ceiling::plain_at(level, black_box(&mut tile), &plane, id);
+        });
+    });
+    group.bench_function("eight lanes, for this machine", |b| {
+        b.iter(|| {
+            let (plane, id) = next();
+            ceiling::lanes(level, black_box(&mut tile), &plane, id);
+        });
+    });
+    group.finish();
+}
+
+criterion_group! { name = benches; config = brief(); targets = ceilings, memset, whole_screen, soups, quoted }
 criterion_main!(benches);

@@ -1,1 +1,12 @@
-//! The benchmarks are the files beside this one.
+//! What the benchmarks share: the workloads, and the loop that bounds them all.
+//!
+//! The benchmarks themselves are the files beside this one. How to run them, and what they are worth, stands at
+//! the head of each and in `BIAS.md`.
+
+pub mod ceiling;
+pub mod mesh;
+pub mod ours;
+mod random;
+pub mod workloads;
+
+pub use random::Random;

@@ -1,0 +1,115 @@
+//! polosa: soups by the raster core, lit meshes by the scene's renderer.
+
+use polosa_raster::{Cull, DepthTest};
+use polosa_scene::{Light, Mesh, Object, Renderer, Style, World};
+
+use crate::contestant::{Contestant, time};
+use crate::job::{Job, Lit, Vertices};
+use polosa_benches::ours::{Path, Picture};
+
+/// Everything of ours that can draw a job.
+pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant + 'a>> {
+    let mut all: Vec<Box<dyn Contestant + 'a>> = Vec::new();
+    for &threads in threads {
+        match &job.lit {
+            Some(lit) if threads == 1 => all.push(Box::new(Whole::new(job, lit))),
+            Some(_) => {}
+            None => all.extend(
+                Path::all(threads)
+                    .into_iter()
+                    .map(|path| Box::new(Core::new(job, path, threads)) as Box<dyn Contestant + 'a>),
+            ),
+        }
+    }
+    all
+}
+
+/// The raster core.
+struct Core<'a> {
+    job: &'a Job,
+    path: Path,
+    threads: usize,
+    picture: Picture,
+    clip: Vec<[f32; 4]>,
+}
+
+impl<'a> Core<'a> {
+    fn new(job: &'a Job, path: Path, threads: usize) -> Self {
+        Self { job, path, threads, picture: Picture::new(job.size), clip: Vec::new() }
+    }
+}
+
+impl Contestant for Core<'_> {
+    fn name(&self) -> String {
+        format!("polosa {}", self.path.name())
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+    }
+
+    fn frames(&mut self, count: u32) -> Result<Vec<u64>, String> {
+        let Self { job, path, picture, clip, .. } = self;
+        Ok(time(count, || {
+            let vertices = match &job.vertices {
+                Vertices::Clip(vertices) => vertices,
+                Vertices::Model { positions, matrix } => {
+                    clip.resize(positions.len(), [0.0; 4]);
+                    polosa_raster::transform(matrix, positions, clip);
+                    &*clip
+                }
+            };
+            path.draw(picture, vertices, &job.indices, &Job::number);
+        }))
+    }
+
+    fn picture(&mut self) -> Result<Vec<u32>, String> {
+        Ok(self.picture.color.clone())
+    }
+}
+
+/// The scene's renderer: transform, cull, light, fill.
+struct Whole<'a> {
+    lit: &'a Lit,
+    world: World,
+    renderer: Renderer,
+    style: Style,
+    picture: Picture,
+}
+
+impl<'a> Whole<'a> {
+    fn new(job: &'a Job, lit: &'a Lit) -> Self {
+        let Vertices::Model { positions, .. } = &job.vertices else { unreachable!("lit jobs are meshes") };
+        let mut world = World::new();
+        let mesh =
+            Mesh::new(positions.clone(), job.indices.clone()).expect("the mesh's indices are in range");
+        let mesh = world.add_mesh(mesh);
+        world.add(Object::new(mesh)).expect("the mesh is there");
+        let style = Style { cull: Cull::Back, color: lit.color, ..Style::default() };
+        Self { lit, world, renderer: Renderer::new(), style, picture: Picture::new(job.size) }
+    }
+}
+
+impl Contestant for Whole<'_> {
+    fn name(&self) -> String {
+        "polosa scene".to_owned()
+    }
+
+    fn threads(&self) -> usize {
+        1
+    }
+
+    fn frames(&mut self, count: u32) -> Result<Vec<u64>, String> {
+        let light = Light { ambient: self.lit.ambient, ..Light::default() };
+        let Self { lit, world, renderer, style, picture } = self;
+        Ok(time(count, || {
+            let mut target = picture.target();
+            target.clear(0, DepthTest::Greater);
+            renderer.draw(world, &lit.camera, &light, style, &mut target);
+        }))
+    }
+
+    fn picture(&mut self) -> Result<Vec<u32>, String> {
+        Ok(self.picture.color.clone())
+    }
+}

@@ -1,0 +1,179 @@
+//! Figures as a table, as JSON, and where they are from.
+
+use std::fmt::Write as _;
+use std::process::Command;
+
+use serde_json::{Value, json};
+
+use crate::compare::{Difference, MOST};
+use crate::job::Job;
+
+/// One renderer's times for one workload.
+pub(crate) struct Row {
+    pub(crate) name: String,
+    pub(crate) threads: usize,
+    /// Nanoseconds a frame, sorted.
+    pub(crate) times: Vec<u64>,
+    pub(crate) difference: Difference,
+    /// Whether it is one of ours.
+    pub(crate) ours: bool,
+}
+
+impl Row {
+    fn median(&self) -> f64 {
+        self.times.get(self.times.len() / 2).map_or(f64::NAN, |&ns| ns as f64 * 1e-6)
+    }
+
+    fn min(&self) -> f64 {
+        self.times.first().map_or(f64::NAN, |&ns| ns as f64 * 1e-6)
+    }
+}
+
+/// The rows of a workload.
+pub(crate) struct Table {
+    pub(crate) workload: String,
+    pub(crate) triangles: usize,
+    pub(crate) size: [u32; 2],
+    pub(crate) rows: Vec<Row>,
+}
+
+impl Table {
+    pub(crate) fn new(job: &Job, rows: Vec<Row>) -> Self {
+        Self { workload: job.name.clone(), triangles: job.indices.len(), size: job.size, rows }
+    }
+
+    /// Our best median with as many threads; with one, if there is none.
+    fn ours(&self, threads: usize) -> f64 {
+        let best = |threads| {
+            let medians = self.rows.iter().filter(|row| row.ours && row.threads == threads).map(Row::median);
+            medians.reduce(f64::min)
+        };
+        best(threads).or_else(|| best(1)).unwrap_or(f64::NAN)
+    }
+
+    pub(crate) fn text(&self) -> String {
+        let [width, height] = self.size;
+        let mut text = format!(
+            "{}: {} triangles, {width}×{height}\n  {:<26} {:>7} {:>10} {:>10} {:>9}  {:>9}\n",
+            self.workload, self.triangles, "", "threads", "median ms", "min ms", "× ours", "differs"
+        );
+        for row in &self.rows {
+            let (median, min) = (row.median(), row.min());
+            let ratio = median / self.ours(row.threads);
+            let share = 100.0 * row.difference.share;
+            let _ = write!(
+                text,
+                "  {:<26} {:>7} {median:>10.3} {min:>10.3} {ratio:>9.2}  {share:>8.4}%",
+                row.name, row.threads
+            );
+            if !row.difference.comparable() {
+                let _ = write!(text, "  NOT COMPARABLE: {}", self.why_not(row));
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    fn why_not(&self, row: &Row) -> String {
+        let Difference { coverage, covered: [ours, theirs], .. } = row.difference;
+        format!(
+            "more than {} % of the pixels differ, {:.3} % by coverage; we cover {:.2} %, they {:.2} %",
+            100.0 * MOST,
+            100.0 * coverage,
+            100.0 * ours,
+            100.0 * theirs
+        )
+    }
+
+    pub(crate) fn json(&self) -> Value {
+        let rows: Vec<Value> = self
+            .rows
+            .iter()
+            .map(|row| {
+                json!({
+                    "renderer": row.name,
+                    "threads": row.threads,
+                    "ours": row.ours,
+                    "frames": row.times.len(),
+                    "median_ms": row.median(),
+                    "min_ms": row.min(),
+                    "times_ours": row.median() / self.ours(row.threads),
+                    "differs": row.difference.share,
+                    "differs_in_coverage": row.difference.coverage,
+                    "comparable": row.difference.comparable(),
+                })
+            })
+            .collect();
+        let [width, height] = self.size;
+        json!({
+            "workload": self.workload, "triangles": self.triangles, "width": width, "height": height, "rows": rows,
+        })
+    }
+}
+
+/// Where figures are from: pairs of a word and a line.
+pub(crate) fn provenance(
+    rounds: usize,
+    load_before: &str,
+    renderer: Option<&str>,
+) -> Vec<(&'static str, String)> {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let commit = said("git", &["-C", root, "rev-parse", "--short=12", "HEAD"]);
+    let changed = said("git", &["-C", root, "status", "--porcelain", "--untracked-files=no", ".."]);
+    let changed = changed.lines().filter(|line| !line.ends_with(".md")).count();
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let command =
+        format!("cargo bench -p polosa-benches --features peers --bench peers -- {}", arguments.join(" "));
+    let changed = match changed {
+        0 => String::new(),
+        files => format!(", and changes not committed in {files} files"),
+    };
+    vec![
+        ("date", said("date", &["-u", "+%Y-%m-%d %H:%M UTC"])),
+        ("commit", format!("{commit}{changed}")),
+        ("command", command.trim_end_matches([' ', '-']).to_owned()),
+        ("CPU", cpu()),
+        ("cores", std::thread::available_parallelism().map_or_else(|_| "?".to_owned(), |n| n.to_string())),
+        ("load", format!("{load_before} before, {} after (1, 5, 15 minutes)", load())),
+        ("compiler", said("rustc", &["-V"])),
+        ("RUSTFLAGS", std::env::var("RUSTFLAGS").unwrap_or_else(|_| "(none)".to_owned())),
+        ("OpenGL", renderer.unwrap_or("(left out)").to_owned()),
+        ("peers", ["euc", "retrofire-core"].map(version).join(", ")),
+        ("rounds", rounds.to_string()),
+    ]
+}
+
+/// The load averages of the last 1, 5 and 15 minutes.
+pub(crate) fn load() -> String {
+    let text = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    let averages: Vec<&str> = text.split_whitespace().take(3).collect();
+    if averages.is_empty() { "?".to_owned() } else { averages.join(" ") }
+}
+
+fn cpu() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let field = |name: &str| {
+        let line = text.lines().find(|line| line.split(':').next().is_some_and(|key| key.trim() == name))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    };
+    let Some(name) = field("model name") else { return "?".to_owned() };
+    let number = |key| field(key).unwrap_or_else(|| "?".to_owned());
+    let flags = field("flags").unwrap_or_default();
+    let has = |flag: &str| flags.split(' ').any(|other| other == flag);
+    let widest = ["avx512f", "avx2", "sse4_2"].into_iter().find(|flag| has(flag)).unwrap_or("");
+    format!("{name}, family {} model {}, {widest}", number("cpu family"), number("model"))
+}
+
+/// The version of a crate, by the lock file.
+fn version(name: &str) -> String {
+    let lock =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock")).unwrap_or_default();
+    let after = lock.split(&format!("name = \"{name}\"\nversion = \"")).nth(1);
+    format!("{name} {}", after.and_then(|rest| rest.split('"').next()).unwrap_or("?"))
+}
+
+/// The first thing that a program says; `?` if it says nothing.
+fn said(program: &str, arguments: &[&str]) -> String {
+    let output = Command::new(program).args(arguments).output().ok().filter(|output| output.status.success());
+    output.map_or_else(|| "?".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
