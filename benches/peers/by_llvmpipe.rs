@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use crate::contestant::Contestant;
-use crate::job::{Job, Vertices};
+use crate::job::{Job, Vertices, normal};
 
 /// Compiles the harness into the target folder.
 pub(crate) fn compile() -> Result<PathBuf, String> {
@@ -119,23 +119,23 @@ fn gone(error: std::io::Error) -> String {
 
 /// The job as the harness reads it: `struct header` of llvmpipe.c, vertices, indices.
 fn message(job: &Job) -> Vec<u8> {
-    let (vertices, components, matrix): (Vec<f32>, u32, _) = match &job.vertices {
-        Vertices::Clip(vertices) => (vertices.iter().flatten().copied().collect(), 4, &[[0.0; 4]; 4]),
-        Vertices::Model { positions, matrix } => (positions.iter().flatten().copied().collect(), 3, matrix),
+    let mut indices = job.indices.clone();
+    let (vertices, components, matrix): (Vec<f32>, u32, _) = match (&job.vertices, &job.lit) {
+        (Vertices::Clip(vertices), _) => (vertices.as_flattened().to_vec(), 4, &[[0.0; 4]; 4]),
+        (Vertices::Model { positions, matrix }, None) => (positions.as_flattened().to_vec(), 3, matrix),
+        (Vertices::Model { positions, matrix }, Some(_)) => {
+            (provoking(positions, &mut indices).into_flattened(), 6, matrix)
+        }
     };
+    let count = vertices.len() as u32 / components;
     // Triangles in the order of the vertices need no indices, and are drawn faster without.
-    let plain = job.indices.iter().flatten().copied().eq(0..vertices.len() as u32 / components);
-    let indices = if plain { &[][..] } else { &job.indices };
+    if indices.iter().flatten().copied().eq(0..count) {
+        indices.clear();
+    }
     let lit = job.lit.as_ref();
-    let numbers = [
-        u32::from(lit.is_some()),
-        job.size[0],
-        job.size[1],
-        vertices.len() as u32 / components,
-        components,
-        3 * indices.len() as u32,
-        u32::from(lit.is_some()),
-    ];
+    let [width, height] = job.size;
+    let is_lit = u32::from(lit.is_some());
+    let numbers = [is_lit, width, height, count, components, 3 * indices.len() as u32, is_lit];
     let light =
         lit.map_or([0.0; 4], |lit| [lit.direction[0], lit.direction[1], lit.direction[2], lit.ambient]);
     let color = lit.map_or([0.0; 4], |lit| [lit.linear()[0], lit.linear()[1], lit.linear()[2], 1.0]);
@@ -145,4 +145,26 @@ fn message(job: &Job) -> Vec<u8> {
     bytes.extend(floats.flat_map(|number| number.to_ne_bytes()));
     bytes.extend(indices.iter().flatten().flat_map(|index| index.to_ne_bytes()));
     bytes
+}
+
+/// Vertices with normals for flat faces: OpenGL takes a face's flat values from its last vertex, so each triangle
+/// gets a last vertex of its own, one of its three where it can, else a copy. That is about a vertex a triangle, a
+/// third of what triangles apart would need, and nothing to compute for a pixel.
+fn provoking(positions: &[[f32; 3]], triangles: &mut [[u32; 3]]) -> Vec<[f32; 6]> {
+    let mut vertices: Vec<[f32; 6]> = positions.iter().map(|&[x, y, z]| [x, y, z, 0.0, 0.0, 0.0]).collect();
+    let mut taken = vec![false; vertices.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|k| positions[k as usize]);
+        if let Some(free) = (0..3).find(|&k| !taken[triangle[k] as usize]) {
+            triangle.rotate_left((free + 1) % 3);
+        } else {
+            vertices.push(vertices[triangle[2] as usize]);
+            taken.push(true);
+            triangle[2] = vertices.len() as u32 - 1;
+        }
+        let last = triangle[2] as usize;
+        taken[last] = true;
+        vertices[last][3..].copy_from_slice(&normal(a, b, c));
+    }
+    vertices
 }

@@ -116,16 +116,22 @@ impl Lit {
         out.clear();
         out.extend(triangles.iter().map(|triangle| {
             let [a, b, c] = triangle.map(|k| positions[k as usize]);
-            let minus = |p: [f32; 3], q: [f32; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
-            let dot = |p: [f32; 3], q: [f32; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-            let (u, v) = (minus(b, a), minus(c, a));
-            let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-            let direct = (dot(normal, self.direction) / dot(normal, normal).sqrt()).max(0.0);
+            let normal = normal(a, b, c);
+            let direct = (0..3).map(|k| normal[k] * self.direction[k]).sum::<f32>().max(0.0);
             let intensity = self.ambient + (1.0 - self.ambient) * direct;
             let [r, g, b] = linear.map(|light| u32::from(srgb::encode(light * intensity)));
             r << 16 | g << 8 | b
         }));
     }
+}
+
+/// The normal of a face, of length 1; not a number if the face has no area.
+pub(crate) fn normal(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3] {
+    let minus = |p: [f32; 3], q: [f32; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let (u, v) = (minus(b, a), minus(c, a));
+    let [x, y, z] = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = (x * x + y * y + z * z).sqrt();
+    [x, y, z].map(|part| part / length)
 }
 
 fn mesh_name(count: u32) -> String {

@@ -20,14 +20,13 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 struct header {
     uint32_t lit;        /* 0: the number of the triangle plus one is its colour; 1: a mesh in one colour, lit */
     uint32_t width, height;
     uint32_t vertices;
-    uint32_t components; /* of a vertex: 3 (to be multiplied by the matrix) or 4 (in clip space) */
+    uint32_t components; /* of a vertex: 4 (in clip space), 3 (to be multiplied by the matrix), 6 (and its normal) */
     uint32_t indices;
     uint32_t cull;       /* 1: back faces are left out */
     float matrix[16];    /* by columns */
@@ -100,25 +99,29 @@ static const char number_fragment[] =
     "    pixel = vec4(uvec4(id >> 16, (id >> 8) & 255u, id & 255u, 0u)) / 255.0;\n"
     "}\n";
 
+/* A face's normal is an attribute of its last vertex, the one whose flat outputs count. Light and encoding are then
+ * done once a vertex, and nothing is left to do for a pixel. */
 static const char lit_vertex[] =
     "#version 330 core\n"
     "layout(location = 0) in vec3 place;\n"
+    "layout(location = 1) in vec3 normal;\n"
     "uniform mat4 matrix;\n"
-    "out vec3 model;\n"
-    "void main() { model = place; gl_Position = matrix * vec4(place, 1.0); }\n";
-
-/* Screen right times screen up points to the viewer: the side that is seen is lit, as in polosa. */
-static const char lit_fragment[] =
-    "#version 330 core\n"
-    "in vec3 model;\n"
     "uniform vec4 light;\n"
     "uniform vec4 color;\n"
-    "out vec4 pixel;\n"
+    "flat out vec4 shade;\n"
     "void main() {\n"
-    "    vec3 normal = normalize(cross(dFdx(model), dFdy(model)));\n"
     "    float direct = max(dot(normal, light.xyz), 0.0);\n"
-    "    pixel = color * (light.w + (1.0 - light.w) * direct);\n"
+    "    vec3 x = color.rgb * (light.w + (1.0 - light.w) * direct);\n"
+    "    vec3 high = 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055;\n"
+    "    shade = vec4(mix(high, 12.92 * x, lessThanEqual(x, vec3(0.0031308))), 0.0);\n"
+    "    gl_Position = matrix * vec4(place, 1.0);\n"
     "}\n";
+
+static const char lit_fragment[] =
+    "#version 330 core\n"
+    "flat in vec4 shade;\n"
+    "out vec4 pixel;\n"
+    "void main() { pixel = shade; }\n";
 
 static void make_program(const struct header *h) {
     const char *vertex = h->components == 4 ? clip_vertex : h->lit ? lit_vertex : model_vertex;
@@ -140,7 +143,7 @@ static void make_target(const struct header *h) {
     GLuint names[2], target;
     glGenRenderbuffers(2, names);
     glBindRenderbuffer(GL_RENDERBUFFER, names[0]);
-    glRenderbufferStorage(GL_RENDERBUFFER, h->lit ? GL_SRGB8_ALPHA8 : GL_RGBA8, h->width, h->height);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, h->width, h->height);
     glBindRenderbuffer(GL_RENDERBUFFER, names[1]);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, h->width, h->height);
     glGenFramebuffers(1, &target);
@@ -149,7 +152,6 @@ static void make_target(const struct header *h) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, names[1]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) fail("no framebuffer");
     glViewport(0, 0, h->width, h->height);
-    if (h->lit) glEnable(GL_FRAMEBUFFER_SRGB);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
@@ -169,7 +171,12 @@ static void make_buffers(const struct header *h) {
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
     glBufferData(GL_ARRAY_BUFFER, vertex_bytes, vertices, GL_STATIC_DRAW);
     glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, h->components, GL_FLOAT, GL_FALSE, 0, NULL);
+    GLsizei stride = h->components * sizeof(float);
+    glVertexAttribPointer(0, h->lit ? 3 : h->components, GL_FLOAT, GL_FALSE, stride, NULL);
+    if (h->lit) {
+        glEnableVertexAttribArray(1);
+        glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, (const void *)(3 * sizeof(float)));
+    }
     if (h->indices) {
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes, indices, GL_STATIC_DRAW);
