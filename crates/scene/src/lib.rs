@@ -55,8 +55,11 @@ pub mod import;
 pub mod light;
 pub mod mesh;
 mod object;
+pub mod occluder;
 mod outline;
 pub mod picture;
+#[allow(dead_code, reason = "for the drawing of whole frames")]
+mod shades;
 pub mod shape;
 pub mod srgb;
 mod stats;

@@ -194,6 +194,27 @@ impl Pieces {
     }
 }
 
+/// Whether a mesh's triangles close as a whole: every edge is run along as often one way as the other, so that each
+/// point off the surface has a winding number. Less than [`Topology::watertight`] and consistent: surfaces may touch
+/// along edges. `false` for no triangles, and when a coordinate is not finite.
+pub(crate) fn closes(mesh: &Mesh) -> bool {
+    if mesh.triangles().is_empty() || !mesh.positions().as_flattened().iter().all(|c| c.is_finite()) {
+        return false;
+    }
+    let places = Places::of(mesh);
+    let sides = mesh.triangles().iter().flat_map(|triangle| {
+        let [a, b, c] = triangle.map(|vertex| places.of[vertex as usize]);
+        [[a, b], [b, c], [c, a]].map(|[p, q]| (p.min(q), p.max(q), p < q)).into_iter()
+    });
+    // A side from a place to itself is no edge.
+    let sides = sides.filter(|(low, high, _)| low != high);
+    let sides = sides.map(|(low, high, rises)| (low, u64::from(high) << 1 | u64::from(rises)));
+    Rows::of(places.points.len(), sides).iter().all(|row| {
+        row.chunk_by(|p, q| p >> 1 == q >> 1)
+            .all(|edge| 2 * edge.iter().filter(|&side| side & 1 == 1).count() == edge.len())
+    })
+}
+
 /// All sides, each in the row of its lower end, as (higher end, triangle) in one number.
 fn side_rows(triangles: &[[u32; 3]], ends: usize) -> Rows<u64> {
     Rows::of(

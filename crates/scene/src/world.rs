@@ -19,6 +19,7 @@ use polosa_math::glam::{DMat4, DQuat, DVec3};
 use polosa_math::{Bounds, Placement};
 use slotmap::{SlotMap, new_key_type};
 
+use crate::occluder::Occluders;
 use crate::outline::Outline;
 use crate::{Color, Mesh, Object, Show};
 
@@ -55,12 +56,13 @@ struct StoredMesh {
     /// Around its finite positions.
     bounds: Bounds,
     outline: OnceLock<Outline>,
+    occluders: OnceLock<Occluders>,
 }
 
 impl StoredMesh {
     fn new(mesh: Mesh) -> Self {
         let (bounds, _) = Bounds::from_points(mesh.positions().iter().copied());
-        Self { mesh, bounds, outline: OnceLock::new() }
+        Self { mesh, bounds, outline: OnceLock::new(), occluders: OnceLock::new() }
     }
 }
 
@@ -120,6 +122,13 @@ impl World {
     /// What drawing a mesh's edges needs; found out when it is first asked for.
     pub(crate) fn outline(&self, key: MeshKey) -> Option<&Outline> {
         self.meshes.get(key).map(|stored| stored.outline.get_or_init(|| Outline::of(&stored.mesh)))
+    }
+
+    /// The balls inside a mesh, behind which it hides itself; found out when they are first asked for, which takes
+    /// about as long as drawing the mesh some tens of times.
+    #[must_use]
+    pub fn occluders(&self, key: MeshKey) -> Option<&Occluders> {
+        self.meshes.get(key).map(|stored| stored.occluders.get_or_init(|| Occluders::of(&stored.mesh)))
     }
 
     /// All meshes, shown or not.
