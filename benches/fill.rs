@@ -8,7 +8,7 @@
 //!
 //! | group | what it draws, or does |
 //! |---|---|
-//! | `quoted` | the three soups of the tables in the docs, from clip space, in perspective, and with transform |
+//! | `quoted` | the three soups of the tables in the docs: from clip space by every path, with one thread and two and at every level of vector instructions, in perspective, and with transform |
 //! | `soup` | triangles of 2 px to the full screen, with depth |
 //! | `no depth` | the full screen as a triangle pair, without depth |
 //! | `clear` | colour and depth |
@@ -26,7 +26,7 @@ use fearless_simd::Level;
 use polosa_benches::ceiling::{self, Plane, SIDE, Tile};
 use polosa_benches::ours::{Path, Picture};
 use polosa_benches::workloads::{AREAS, HEIGHT, SIZES, Soup, TINY, WIDTH};
-use polosa_raster::{Depth, DepthTest, Flat, Fragment, State, Target};
+use polosa_raster::{Depth, DepthTest, Flat, Fragment, State, Target, Vertices};
 
 /// Three seconds a figure at most: the whole stays under three minutes.
 fn brief() -> Criterion {
@@ -53,41 +53,48 @@ fn check(vertices: &[[f32; 4]], indices: &[[u32; 3]]) {
     let stats = target.triangles(&State::default(), vertices, indices, &shade);
     assert_eq!(stats.drawn + stats.degenerate + stats.outside, indices.len() as u64);
     assert!(asked.color.iter().any(|&pixel| pixel != 0), "an empty picture");
-    for mut path in Path::all(1) {
+    for mut path in every() {
         let mut picture = Picture::new([WIDTH, HEIGHT]);
-        path.draw(&mut picture, vertices, indices, &value);
+        path.draw(&mut picture, Vertices::Clip(vertices), indices, &value);
         assert!(picture.color == asked.color, "{} has other pixels", path.name());
-        assert!(picture.depth == asked.depth, "{} has other depths", path.name());
+        assert!(!path.writes_depth() || picture.depth == asked.depth, "{} has other depths", path.name());
     }
+}
+
+/// All ways to draw: one thread and two, at every level.
+fn every() -> Vec<Path> {
+    let mut all = Path::all(1);
+    all.extend(Path::all(2));
+    all.push(Path::without_depth());
+    all.extend(Path::levels());
+    all
 }
 
 fn quoted(c: &mut Criterion) {
     let mut group = c.benchmark_group("quoted");
     let mut picture = Picture::new([WIDTH, HEIGHT]);
+    let mut time = |name: String, paths: Vec<Path>, vertices: Vertices<'_>, soup: &Soup| {
+        group.throughput(Throughput::Elements(soup.indices.len() as u64));
+        for mut path in paths {
+            group.bench_function(BenchmarkId::new(&name, path.name()), |b| {
+                b.iter(|| path.draw(&mut picture, black_box(vertices), &soup.indices, &value));
+            });
+        }
+    };
     for size in SIZES {
         let soup = Soup::of(size);
-        group.throughput(Throughput::Elements(u64::from(size.count)));
-        for (form, vertices) in [("clip space", soup.flat()), ("perspective", soup.perspective())] {
-            check(&vertices, &soup.indices);
-            for mut path in Path::all(1) {
-                let name = format!("{}, {form}", size.name);
-                group.bench_function(BenchmarkId::new(name, path.name()), |b| {
-                    b.iter(|| path.draw(&mut picture, black_box(&vertices), &soup.indices, &value));
-                });
-            }
-        }
+        let (flat, perspective) = (soup.flat(), soup.perspective());
+        check(&flat, &soup.indices);
+        check(&perspective, &soup.indices);
+        time(format!("{}, clip space", size.name), every(), Vertices::Clip(&flat), &soup);
+        time(format!("{}, perspective", size.name), Path::all(1), Vertices::Clip(&perspective), &soup);
     }
     let soup = Soup::of(TINY);
     let (matrix, positions) = (soup.matrix(), soup.positions());
-    let mut clip = vec![[0.0; 4]; positions.len()];
-    for mut path in Path::all(1) {
-        group.bench_function(BenchmarkId::new("tiny, with transform", path.name()), |b| {
-            b.iter(|| {
-                polosa_raster::transform(&matrix, black_box(&positions), &mut clip);
-                path.draw(&mut picture, &clip, &soup.indices, &value)
-            });
-        });
-    }
+    let vertices = Vertices::Model { matrix: &matrix, positions: &positions };
+    let mut paths = Path::all(1);
+    paths.extend(Path::all(2));
+    time("tiny, with transform".to_owned(), paths, vertices, &soup);
     group.finish();
 }
 
@@ -101,7 +108,9 @@ fn soups(c: &mut Criterion) {
         group.throughput(Throughput::Elements(u64::from(count)));
         for mut path in Path::all(1) {
             group.bench_function(BenchmarkId::new(format!("{area} px"), path.name()), |b| {
-                b.iter(|| path.draw(&mut picture, black_box(&vertices), &soup.indices, &value));
+                b.iter(|| {
+                    path.draw(&mut picture, Vertices::Clip(black_box(&vertices)), &soup.indices, &value)
+                });
             });
         }
     }

@@ -17,7 +17,7 @@ pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant
             None => all.extend(
                 Path::all(threads)
                     .into_iter()
-                    .map(|path| Box::new(Core::new(job, path, threads)) as Box<dyn Contestant + 'a>),
+                    .map(|path| Box::new(Core::new(job, path)) as Box<dyn Contestant + 'a>),
             ),
         }
     }
@@ -28,14 +28,12 @@ pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant
 struct Core<'a> {
     job: &'a Job,
     path: Path,
-    threads: usize,
     picture: Picture,
-    clip: Vec<[f32; 4]>,
 }
 
 impl<'a> Core<'a> {
-    fn new(job: &'a Job, path: Path, threads: usize) -> Self {
-        Self { job, path, threads, picture: Picture::new(job.size), clip: Vec::new() }
+    fn new(job: &'a Job, path: Path) -> Self {
+        Self { job, path, picture: Picture::new(job.size) }
     }
 }
 
@@ -45,20 +43,16 @@ impl Contestant for Core<'_> {
     }
 
     fn threads(&self) -> usize {
-        self.threads
+        self.path.threads()
     }
 
     fn frames(&mut self, count: u32) -> Result<Vec<u64>, String> {
-        let Self { job, path, picture, clip, .. } = self;
+        let Self { job, path, picture } = self;
+        let vertices = match &job.vertices {
+            Vertices::Clip(vertices) => polosa_raster::Vertices::Clip(vertices),
+            Vertices::Model { positions, matrix } => polosa_raster::Vertices::Model { matrix, positions },
+        };
         Ok(time(count, || {
-            let vertices = match &job.vertices {
-                Vertices::Clip(vertices) => vertices,
-                Vertices::Model { positions, matrix } => {
-                    clip.resize(positions.len(), [0.0; 4]);
-                    polosa_raster::transform(matrix, positions, clip);
-                    &*clip
-                }
-            };
             path.draw(picture, vertices, &job.indices, &Job::number);
         }))
     }

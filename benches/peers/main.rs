@@ -87,7 +87,8 @@ fn run(options: &Options) -> Result<(), String> {
         }
         tables.push(table);
     }
-    let provenance = report::provenance(options.rounds, &load, renderer.as_deref());
+    let mut provenance = report::provenance(options.rounds, &load, renderer.as_deref());
+    provenance.extend(options.note.clone().map(|note| ("note", note)));
     let lines: String = provenance.iter().map(|(key, value)| format!("{key:<10} {value}\n")).collect();
     println!("{lines}");
     if let Some(path) = &options.record {

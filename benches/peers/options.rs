@@ -14,6 +14,7 @@ cargo bench -p polosa-benches --features peers --bench peers -- [OPTIONS]
 --rounds N        rounds in which everybody has one turn (default 9)
 --json FILE       write the figures as JSON
 --record FILE     write the table with its provenance, as benches/record has it
+--note TEXT       a line about this run, for the record
 --pictures DIR    write every picture as DIR/WORKLOAD.RENDERER.ppm
 --without NAME    leave out a renderer whose name begins so (again for more)";
 
@@ -22,6 +23,7 @@ pub(crate) struct Options {
     pub(crate) rounds: usize,
     pub(crate) json: Option<PathBuf>,
     pub(crate) record: Option<PathBuf>,
+    pub(crate) note: Option<String>,
     pub(crate) pictures: Option<PathBuf>,
     pub(crate) without: Vec<String>,
 }
@@ -42,6 +44,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Asked
         rounds: 9,
         json: None,
         record: None,
+        note: None,
         pictures: None,
         without: Vec::new(),
     };
@@ -63,6 +66,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Asked
             }
             "--json" => options.json = Some(value()?.into()),
             "--record" => options.record = Some(value()?.into()),
+            "--note" => options.note = Some(value()?),
             "--pictures" => options.pictures = Some(value()?.into()),
             "--without" => options.without.push(value()?),
             "--help" | "-h" => return Ok(Asked::Help),
