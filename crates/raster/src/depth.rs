@@ -35,7 +35,8 @@ pub(crate) fn coefficients<T>(anchor: T, delta: [T; 2], rest: [T; 2], area: T, p
 where
     T: Copy + Add<Output = T> + Mul<Output = T> + Div<Output = T>,
 {
-    (anchor + (rest[0] * delta[0] + rest[1] * delta[1]) / area, delta.map(|d| pixel * d / area))
+    let q = [pixel * delta[0] / area, pixel * delta[1] / area];
+    (anchor + (rest[0] * delta[0] + rest[1] * delta[1]) / area, q)
 }
 
 /// A triangle's depth at every pixel it covers.

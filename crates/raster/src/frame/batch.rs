@@ -6,16 +6,20 @@
 //!
 //! Triangles whose box holds no sample end after a dozen instructions a piece: in a dense mesh most of them.
 
+use core::ops::Range;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, f64x4, i32x8, mask32x8, u32x8};
 use polosa_math::SUB_PIXELS;
 
 use super::bins::{Entry, SIDE, Segment, Small, place};
+use super::each::{four, three, two};
 use super::large;
-use super::vertices::{LANES, MISSING, PLAIN, Snapped, UNSURE, Vertices, lanes};
+use super::vertices::{LANES, MISSING, PLAIN, Snapped, Snapper, UNSURE, Vertices, lanes};
+use super::Triangles;
 use crate::depth::{coefficients, formula};
 use crate::setup::Setup;
-use crate::{Cull, DepthTest, Rect, State, Stats};
+use crate::{Clip, Cull, DepthTest, Rect, State, Stats};
 
 /// Boxes of at most so many pixels a side become fragments.
 const WINDOW: u32 = 4;
@@ -27,7 +31,9 @@ const MOST_EXTENT: i32 = 1 << 15;
 pub(crate) struct Job<'a> {
     pub(crate) setup: &'a Setup,
     pub(crate) state: &'a State,
+    pub(crate) snapper: &'a Snapper,
     pub(crate) vertices: Vertices<'a>,
+    pub(crate) triangles: Triangles<'a>,
     /// The pixels that may be drawn on.
     pub(crate) clip: Rect,
     /// All of them.
@@ -47,60 +53,103 @@ impl Job<'_> {
     }
 }
 
-/// Up to eight triangles: the snapped vertices of each, and where they came from.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Batch {
-    /// First corners, second, third; [`MISSING`] where there is none.
-    pub(crate) corners: [[Snapped; LANES]; 3],
-    /// The vertices' numbers.
-    pub(crate) indices: [[u32; 3]; LANES],
-    /// The first triangle's place in the draw.
-    pub(crate) first: usize,
-    /// How many there are; the other lanes are ignored.
-    pub(crate) count: usize,
+impl<'a> Job<'a> {
+    /// The indices of a triangle's vertices.
+    fn indices(&self, triangle: usize) -> [u32; 3] {
+        match self.triangles {
+            Triangles::Indexed(triangles) => triangles.get(triangle).copied().unwrap_or([u32::MAX; 3]),
+            Triangles::Consecutive => {
+                [0, 1, 2].map(|k| u32::try_from(3 * triangle + k).unwrap_or(u32::MAX))
+            }
+        }
+    }
+
+    /// The corners of the triangles from `first` on: for each, x, y, the bits of depth, and the marks.
+    #[inline(always)]
+    fn corners<L: Simd>(&self, simd: L, snapped: &[Snapped], first: usize) -> [[i32x8<L>; 4]; 3] {
+        match self.triangles {
+            Triangles::Indexed(triangles) => {
+                let given = &triangles[first..];
+                let some: &[[u32; 3]; LANES] = match given.first_chunk() {
+                    Some(some) => some,
+                    None => &padded(given),
+                };
+                three(
+                    #[inline(always)]
+                    |c| {
+                        let pair = four(#[inline(always)] |k| [vertex(snapped, some[k][c]), vertex(snapped, some[4 + k][c])]);
+                        lanes(simd, pair)
+                    },
+                )
+            }
+            Triangles::Consecutive => {
+                let some: &[Clip; 3 * LANES] = match self.vertices.lent(3 * first) {
+                    Some(lent) => lent,
+                    None => &self.vertices.made(3 * first),
+                };
+                three(
+                    #[inline(always)]
+                    |c| {
+                        let pair = four(#[inline(always)] |k| [some[3 * k + c], some[12 + 3 * k + c]]);
+                        self.snapper.lanes(simd, pair)
+                    },
+                )
+            }
+        }
+    }
 }
 
-/// Prepares a batch and bins it.
+/// A snapped vertex, if it is there.
+#[inline(always)]
+fn vertex(snapped: &[Snapped], index: u32) -> Snapped {
+    *snapped.get(index as usize).unwrap_or(&NOBODY)
+}
+
+/// Fewer than eight triangles, and others that name no vertex.
+#[inline(never)]
+fn padded(given: &[[u32; 3]]) -> [[u32; 3]; LANES] {
+    let mut padded = [[u32::MAX; 3]; LANES];
+    padded.iter_mut().zip(given).for_each(|(to, from)| *to = *from);
+    padded
+}
+
+/// Prepares the first eight triangles of a range, or as many as there are, and bins them.
 #[inline(always)]
 pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     simd: L,
     job: &Job<'_>,
-    batch: &Batch,
+    snapped: &[Snapped],
+    range: Range<usize>,
     value: &V,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
-    let splat = |v: i32| i32x8::splat(simd, v);
-    let [a, b, c] = batch.corners.map(|corners| lanes(simd, &corners));
-    let there = (1_u32 << batch.count) - 1;
-    stats.submitted += batch.count as u64;
+    let first = range.start;
+    let count = range.len().min(LANES);
+    let [a, b, c] = job.corners(simd, snapped, first);
+    let there = (1_u32 << count) - 1;
+    stats.submitted += count as u64;
 
     // Boxes, in sub-pixels and in pixels.
-    let least = |k: usize| a[k].min(b[k]).min(c[k]);
-    let greatest = |k: usize| a[k].max(b[k]).max(c[k]);
-    let (left, top, right, bottom) = (least(0), least(1), greatest(0), greatest(1));
+    let [left, top] = two(#[inline(always)] |k| a[k].min(b[k]).min(c[k]));
+    let [right, bottom] = two(#[inline(always)] |k| a[k].max(b[k]).max(c[k]));
     let marks = a[3] | b[3] | c[3];
     let fits = (right - left).max(bottom - top).simd_lt(MOST_EXTENT) & marks.simd_eq(PLAIN);
     let [sx, sy] = job.state.sample.sub_pixels();
-    let first_at = |v: i32x8<L>, s: i32| (v + (SUB_PIXELS - 1 - s)) >> 8;
-    let edge_of_clip = |v: u32| splat(v.cast_signed());
-    let x0 = first_at(left, sx).max(edge_of_clip(job.clip.x0));
-    let y0 = first_at(top, sy).max(edge_of_clip(job.clip.y0));
-    let x1 = first_at(right, sx).min(edge_of_clip(job.clip.x1));
-    let y1 = first_at(bottom, sy).min(edge_of_clip(job.clip.y1));
+    let [x0, y0] = [first_at(left, sx).max(job.clip.x0.cast_signed()), first_at(top, sy).max(job.clip.y0.cast_signed())];
+    let [x1, y1] =
+        [first_at(right, sx).min(job.clip.x1.cast_signed()), first_at(bottom, sy).min(job.clip.y1.cast_signed())];
     let samples = x0.simd_lt(x1) & y0.simd_lt(y1);
 
     // Facing. The area is that of the corners as given, positive clockwise.
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    let flat = area.simd_eq(0);
     let culled = match job.state.cull {
         Cull::None => mask32x8::splat(simd, false),
         Cull::Front => area.simd_lt(0),
         Cull::Back => area.simd_gt(0),
     };
-    let bits = |mask: mask32x8<L>| bit_mask(mask.to_bitmask()) & there;
-    let fits_bits = bits(fits);
-    let flat_bits = bits(flat) & fits_bits;
+    let fits_bits = bits(fits) & there;
+    let flat_bits = bits(area.simd_eq(0)) & fits_bits;
     let culled_bits = bits(culled) & fits_bits;
     let live = fits_bits & !flat_bits & !culled_bits;
     stats.degenerate += u64::from(flat_bits.count_ones());
@@ -112,56 +161,54 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
         return;
     }
     if live == 0 {
-        return in_scalars(job, batch, scalar, value, segment, stats);
+        return in_scalars(job, first, scalar, value, segment, stats);
     }
 
     // Sorted by y, then x; relative to the box.
-    let key = |p: &[i32x8<L>; 4]| (p[1] - top) << 16 | (p[0] - left);
-    let mut keys = [key(&a), key(&b), key(&c)];
+    let mut keys = [key(&a, left, top), key(&b, left, top), key(&c, left, top)];
     let mut z = [a[2].bitcast::<f32x8<L>>(), b[2].bitcast(), c[2].bitcast()];
-    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-        let swap = keys[j].simd_lt(keys[i]);
-        (keys[i], keys[j]) = (keys[i].min(keys[j]), keys[i].max(keys[j]));
-        (z[i], z[j]) = (swap.select(z[j], z[i]), swap.select(z[i], z[j]));
-    }
-    let [x, y] = [keys.map(|key| key & 0xffff), keys.map(|key| key >> 16)];
+    exchange(&mut keys, &mut z, 0, 1);
+    exchange(&mut keys, &mut z, 1, 2);
+    exchange(&mut keys, &mut z, 0, 1);
+    let x = three(#[inline(always)] |k| keys[k] & 0xffff);
+    let y = three(#[inline(always)] |k| keys[k] >> 16);
 
     // Edges, opposite to each corner, positive inside.
     let turn = ((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) >> 31;
-    let turned = |v: i32x8<L>| (v ^ turn) - turn;
-    let step_x = [turned(y[1] - y[2]), turned(y[2] - y[0]), turned(y[0] - y[1])];
-    let step_y = [turned(x[2] - x[1]), turned(x[0] - x[2]), turned(x[1] - x[0])];
+    let step_x = [turned(y[1] - y[2], turn), turned(y[2] - y[0], turn), turned(y[0] - y[1], turn)];
+    let step_y = [turned(x[2] - x[1], turn), turned(x[0] - x[2], turn), turned(x[1] - x[0], turn)];
     let (px, py) = ((x0 << 8) + sx - left, (y0 << 8) + sy - top);
-    let through = |k: usize, p: usize| step_y[k] * (py - y[p]) + step_x[k] * (px - x[p]);
-    let area = area.max(splat(0) - area);
-    let (e0, e1) = (through(0, 1), through(1, 2));
+    let area = turned(area, area >> 31);
+    let e0 = step_y[0] * (py - y[1]) + step_x[0] * (px - x[1]);
+    let e1 = step_y[1] * (py - y[2]) + step_x[1] * (px - x[2]);
     let edges = [e0, e1, area - e0 - e1];
 
     // The anchor has the least depth; slots: the two other corners, sorted, then the anchor.
     let at_0 = z[0].simd_le(z[1]) & z[0].simd_le(z[2]);
     let not_2 = at_0 | z[1].simd_le(z[2]);
-    let slots_i = |v: [i32x8<L>; 3]| {
-        [at_0.select(v[1], v[0]), not_2.select(v[2], v[1]), at_0.select(v[0], not_2.select(v[1], v[2]))]
-    };
-    let (edges, step_x, step_y) = (slots_i(edges), slots_i(step_x), slots_i(step_y));
+    let (edges, step_x, step_y) =
+        (slots(edges, at_0, not_2), slots(step_x, at_0, not_2), slots(step_y, at_0, not_2));
     let anchor = at_0.select(z[0], not_2.select(z[1], z[2]));
     let others = [at_0.select(z[1], z[0]), not_2.select(z[2], z[1])];
     let most = z[0].max(z[1]).max(z[2]);
-    let biased = [0, 1, 2].map(|k: usize| {
-        let top_left = step_x[k].simd_gt(0) | (step_x[k].simd_eq(0) & step_y[k].simd_gt(0));
-        (edges[k] + top_left.select(splat(0), splat(-1))) >> 8
-    });
+    let biased = three(
+        #[inline(always)]
+        |k| {
+            let top_left = step_x[k].simd_gt(0) | (step_x[k].simd_eq(0) & step_y[k].simd_gt(0));
+            (edges[k] + top_left.select(i32x8::splat(simd, 0), i32x8::splat(simd, -1))) >> 8
+        },
+    );
 
     // c and q, in f64.
-    let rest = [0, 1].map(|k: usize| (edges[k] & (SUB_PIXELS - 1)).to_float::<f32x8<L>>().widen());
-    let area = to_f64(simd, area);
+    let rest = two(#[inline(always)] |k| (edges[k] & (SUB_PIXELS - 1)).to_float::<f32x8<L>>().widen());
+    let area = to_f64(area);
     let (anchor_low, anchor_high) = anchor.widen();
-    let others = others.map(SimdWiden::widen);
+    let others = two(#[inline(always)] |k| others[k].widen());
     let pixel = f64x4::splat(simd, f64::from(SUB_PIXELS));
-    let delta_low = others.map(|(low, _)| low - anchor_low);
-    let delta_high = others.map(|(_, high)| high - anchor_high);
-    let low = coefficients(anchor_low, delta_low, rest.map(|r| r.0), area.0, pixel);
-    let high = coefficients(anchor_high, delta_high, rest.map(|r| r.1), area.1, pixel);
+    let delta_low = [others[0].0 - anchor_low, others[1].0 - anchor_low];
+    let delta_high = [others[0].1 - anchor_high, others[1].1 - anchor_high];
+    let low = coefficients(anchor_low, delta_low, [rest[0].0, rest[1].0], area.0, pixel);
+    let high = coefficients(anchor_high, delta_high, [rest[0].1, rest[1].1], area.1, pixel);
     let c = low.0.narrow(high.0);
     let q = [low.1[0].narrow(high.1[0]), low.1[1].narrow(high.1[1])];
 
@@ -169,28 +216,29 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     let (width, height) = (x1 - x0, y1 - y0);
     let tiny = width.max(height).simd_le(WINDOW.cast_signed());
     let tiny_bits = if job.fragments { bits(tiny) & live } else { 0 };
+    let more = two(#[inline(always)] |k| (edges[k] >> 8) - biased[k]);
     let mut depths = [[0.0; LANES]; (WINDOW * WINDOW) as usize];
-    let mut covered = splat(0);
+    let mut covered = i32x8::splat(simd, 0);
     if tiny_bits != 0 {
-        let more = [0, 1].map(|k: usize| (edges[k] >> 8) - biased[k]);
+        let (columns, rows) = (most_of(width, tiny), most_of(height, tiny));
         let mut row = biased;
-        for j in 0..WINDOW {
-            let below = height.simd_gt(j.cast_signed()) & tiny;
-            if !below.any_true() {
-                break;
-            }
+        for j in 0..rows {
             let mut e = row;
-            for i in 0..WINDOW {
-                let beside = width.simd_gt(i.cast_signed()) & below;
+            for i in 0..columns {
                 let at = j * WINDOW + i;
-                let inside = (e[0] | e[1] | e[2]).simd_ge(0) & beside;
-                covered |= inside.select(splat(1 << at), splat(0));
-                let plane = formula(c, q, [0, 1].map(|k: usize| (e[k] + more[k]).to_float::<f32x8<L>>()));
-                depths[at as usize] = *plane.min(most);
-                e = [e[0] + step_x[0], e[1] + step_x[1], e[2] + step_x[2]];
+                // The sign says whether the place is outside.
+                covered |= !((e[0] | e[1] | e[2]) >> 31) & (1 << at);
+                let e12 = [(e[0] + more[0]).to_float::<f32x8<L>>(), (e[1] + more[1]).to_float()];
+                depths[at as usize] = *formula(c, q, e12).min(most);
+                e = three(#[inline(always)] |k| e[k] + step_x[k]);
             }
-            row = [row[0] + step_y[0], row[1] + step_y[1], row[2] + step_y[2]];
+            row = three(#[inline(always)] |k| row[k] + step_y[k]);
         }
+        // No more than the box, which the picture's sides may have cut.
+        let one = i32x8::splat(simd, 1);
+        let across = (one << width) - 1;
+        let down = ((one << (height << 2)) - 1) & 0x1111;
+        covered &= across * down & tiny.select(i32x8::splat(simd, 0xffff), i32x8::splat(simd, 0));
     }
     let nothing = tiny_bits & !bits(covered.simd_ne(0));
     let mut todo = (live & !nothing) | scalar;
@@ -202,19 +250,19 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
 
     let (x0, y0, x1, y1, covered) = (*x0, *y0, *x1, *y1, *covered);
     let prepared = Prepared {
-        e: biased.map(|v| *v),
-        x: step_x.map(|v| *v),
-        y: step_y.map(|v| *v),
-        more: [0, 1].map(|k: usize| *((edges[k] >> 8) - biased[k])),
+        e: three(#[inline(always)] |k| *biased[k]),
+        x: three(#[inline(always)] |k| *step_x[k]),
+        y: three(#[inline(always)] |k| *step_y[k]),
+        more: [*more[0], *more[1]],
         c: *c,
-        q: q.map(|v| *v),
+        q: [*q[0], *q[1]],
         most: *most,
     };
     while todo != 0 {
         let lane = todo.trailing_zeros() as usize % LANES;
         todo &= todo - 1;
         if tiny_bits >> lane & 1 == 1 {
-            let value = value(batch.first + lane);
+            let value = value(first + lane);
             let (x, y) = (x0[lane].cast_unsigned(), y0[lane].cast_unsigned());
             let mut bits = covered[lane].cast_unsigned() & 0xffff;
             while bits != 0 {
@@ -226,11 +274,11 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
                 segment.bins[tile].entries.push(entry);
             }
         } else if scalar >> lane & 1 == 1 {
-            one_in_scalars(job, batch, lane, value, segment, stats);
+            one_in_scalars(job, first + lane, value, segment, stats);
         } else {
             let extent = [x0[lane], y0[lane], x1[lane], y1[lane]].map(|v| v.cast_unsigned());
             let record = prepared.record(lane, extent, job.draw);
-            small(job, record, extent, value(batch.first + lane), segment);
+            small(job, record, extent, value(first + lane), segment);
         }
     }
 }
@@ -250,10 +298,12 @@ impl Prepared {
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "inside the picture: up to 16,384")]
     fn record(&self, lane: usize, extent: [u32; 4], draw: u32) -> Small {
-        let edges = [&self.e, &self.x, &self.y].map(|lanes| [0, 1, 2].map(|k: usize| lanes[k][lane]));
-        let tag = Small::tag(draw, [0, 1].map(|k: usize| self.more[k][lane] != 0));
+        let of = |lanes: &[[i32; LANES]; 3]| [lanes[0][lane], lanes[1][lane], lanes[2][lane]];
+        let edges = [of(&self.e), of(&self.x), of(&self.y)];
+        let tag = Small::tag(draw, [self.more[0][lane] != 0, self.more[1][lane] != 0]);
         let q = [self.q[0][lane], self.q[1][lane]];
-        Small::new(edges, self.c[lane], q, self.most[lane], extent.map(|v| v as u16), tag)
+        let [x0, y0, x1, y1] = extent;
+        Small::new(edges, self.c[lane], q, self.most[lane], [x0 as u16, y0 as u16, x1 as u16, y1 as u16], tag)
     }
 }
 
@@ -272,7 +322,7 @@ fn small(job: &Job<'_>, record: Small, [x0, y0, x1, y1]: [u32; 4], value: u32, s
 #[inline(never)]
 fn in_scalars<V: Fn(usize) -> u32>(
     job: &Job<'_>,
-    batch: &Batch,
+    first: usize,
     lanes: u32,
     value: &V,
     segment: &mut Segment,
@@ -280,7 +330,7 @@ fn in_scalars<V: Fn(usize) -> u32>(
 ) {
     stats.submitted -= u64::from(lanes.count_ones());
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
-        one_in_scalars(job, batch, lane, value, segment, stats);
+        one_in_scalars(job, first + lane, value, segment, stats);
     }
 }
 
@@ -288,40 +338,78 @@ fn in_scalars<V: Fn(usize) -> u32>(
 #[inline(never)]
 fn one_in_scalars<V: Fn(usize) -> u32>(
     job: &Job<'_>,
-    batch: &Batch,
-    lane: usize,
+    triangle: usize,
     value: &V,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
     stats.submitted += 1;
-    let [Some(a), Some(b), Some(c)] = batch.indices[lane].map(|k| job.vertices.get(k as usize)) else {
+    let [Some(a), Some(b), Some(c)] = job.indices(triangle).map(|k| job.vertices.get(k as usize)) else {
         stats.bad_index += 1;
         return;
     };
     let mut known = None;
     job.setup.triangle([&a, &b, &c], stats, |piece| {
         if !piece.triangle.rows(job.state.sample, job.clip).is_empty() {
-            let value = *known.get_or_insert_with(|| value(batch.first + lane));
+            let value = *known.get_or_insert_with(|| value(triangle));
             large::bin(job, &piece.triangle, value, segment);
         }
     });
 }
 
-/// An area, not negative, as `f64`: put under the exponent of 2⁵², which is then taken off again. Exact.
+/// The greatest of the chosen lanes' sides of windows.
 #[inline(always)]
-fn to_f64<L: Simd>(simd: L, v: i32x8<L>) -> (f64x4<L>, f64x4<L>) {
-    const TWO_52: f64 = 4_503_599_627_370_496.0;
-    let (low, high) = v.bitcast::<u32x8<L>>().widen();
-    let under = |v: fearless_simd::u64x4<L>| (v | TWO_52.to_bits()).bitcast::<f64x4<L>>() - TWO_52;
-    let _ = simd;
-    (under(low), under(high))
+fn most_of<L: Simd>(side: i32x8<L>, chosen: mask32x8<L>) -> u32 {
+    let above = |k: i32| (side.simd_gt(k) & chosen).any_true();
+    if above(2) { if above(3) { 4 } else { 3 } } else if above(1) { 2 } else { 1 }
 }
 
+/// The first pixel whose sample lies at or right of (below) a place.
+#[inline(always)]
+fn first_at<L: Simd>(place: i32x8<L>, sample: i32) -> i32x8<L> {
+    (place + (SUB_PIXELS - 1 - sample)) >> 8
+}
+
+/// A corner's place in its triangle's box, as one number that sorts by y, then x.
+#[inline(always)]
+fn key<L: Simd>(corner: &[i32x8<L>; 4], left: i32x8<L>, top: i32x8<L>) -> i32x8<L> {
+    (corner[1] - top) << 16 | (corner[0] - left)
+}
+
+/// Puts two corners in order.
+#[inline(always)]
+fn exchange<L: Simd>(keys: &mut [i32x8<L>; 3], z: &mut [f32x8<L>; 3], i: usize, j: usize) {
+    let swap = keys[j].simd_lt(keys[i]);
+    (keys[i], keys[j]) = (keys[i].min(keys[j]), keys[i].max(keys[j]));
+    (z[i], z[j]) = (swap.select(z[j], z[i]), swap.select(z[i], z[j]));
+}
+
+/// The negative where `turn` is −1, the value itself where it is 0.
+#[inline(always)]
+fn turned<L: Simd>(value: i32x8<L>, turn: i32x8<L>) -> i32x8<L> {
+    (value ^ turn) - turn
+}
+
+/// From the order of the corners to that of the depth formula: the two others, then the anchor.
+#[inline(always)]
+fn slots<L: Simd>(v: [i32x8<L>; 3], at_0: mask32x8<L>, not_2: mask32x8<L>) -> [i32x8<L>; 3] {
+    [at_0.select(v[1], v[0]), not_2.select(v[2], v[1]), at_0.select(v[0], not_2.select(v[1], v[2]))]
+}
+
+/// An area, not negative, as `f64`: put under the exponent of 2⁵², which is then taken off again. Exact.
+#[inline(always)]
+fn to_f64<L: Simd>(v: i32x8<L>) -> (f64x4<L>, f64x4<L>) {
+    const TWO_52: f64 = 4_503_599_627_370_496.0;
+    let (low, high) = v.bitcast::<u32x8<L>>().widen();
+    let low = (low | TWO_52.to_bits()).bitcast::<f64x4<L>>() - TWO_52;
+    (low, (high | TWO_52.to_bits()).bitcast::<f64x4<L>>() - TWO_52)
+}
+
+/// A bit for each lane.
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "eight bits")]
-const fn bit_mask(bits: u64) -> u32 {
-    bits as u32 & 0xff
+fn bits<L: Simd>(mask: mask32x8<L>) -> u32 {
+    mask.to_bitmask() as u32 & 0xff
 }
 
 /// The lanes of missing triangles.

@@ -26,8 +26,9 @@ pub(crate) const BLOCK: u32 = 4;
 /// Where in a tile's memory a pixel lies: block after block from the top left, each row after row.
 #[inline(always)]
 pub(crate) const fn place(x: u32, y: u32) -> u32 {
-    const { assert!(SIDE == 64 && BLOCK == 4) };
-    (y & 60) << 6 | (x & 60) << 2 | (y & 3) << 2 | (x & 3)
+    const { assert!(SIDE.is_power_of_two() && BLOCK == 4) };
+    const BLOCKS: u32 = SIDE - BLOCK;
+    (y & BLOCKS) * SIDE | (x & BLOCKS) * BLOCK | (y % BLOCK) * BLOCK | x % BLOCK
 }
 
 /// One thing for a tile to draw.

@@ -46,7 +46,8 @@ impl Frame {
         self.resolve(target, |sampled| sampled.value)
     }
 
-    /// The same, with a pixel made of each settled value.
+    /// The same, with a pixel made of each settled value. `pixel` is cloned for each row of tiles, and asked from left
+    /// to right, row by row: what it keeps for neighbours changes no other thread's.
     ///
     /// # Errors
     ///
@@ -54,7 +55,7 @@ impl Frame {
     pub fn resolve<P: Copy + Send>(
         &mut self,
         target: &mut Target<'_, P>,
-        pixel: impl Fn(Sampled) -> P + Sync,
+        pixel: impl FnMut(Sampled) -> P + Clone + Sync,
     ) -> Result<(), TargetError> {
         if self.size != [target.width, target.height] {
             return Err(TargetError::Frame { frame: self.size, target: [target.width, target.height] });
@@ -73,7 +74,7 @@ impl Frame {
         let draw = |band: Band<'_, P>, hand: &mut Hand| {
             fearless_simd::dispatch!(level, simd => {
                 hand.draw(simd, &scene, band.row);
-                hand.write(&scene, band, &pixel);
+                hand.write(&scene, band, pixel.clone());
             });
         };
         #[cfg(feature = "parallel")]
@@ -111,73 +112,89 @@ impl Hand {
 
     /// Writes the rows of a band.
     #[inline(always)]
-    fn write<P: Copy>(&self, scene: &Scene<'_>, band: Band<'_, P>, pixel: &impl Fn(Sampled) -> P) {
-        let empty = scene.frame.value;
-        let (clear, clear_u16) = match scene.frame.depth {
-            StoredDepth::F32(depth) => (depth, 0),
-            StoredDepth::U16(depth) => (f32::from(depth), depth),
-        };
+    fn write<P: Copy>(&self, scene: &Scene<'_>, band: Band<'_, P>, mut pixel: impl FnMut(Sampled) -> P) {
+        let empty = (scene.frame.value, scene.frame.cleared());
         let width = scene.frame.size[0] as usize;
-        let stride = band.stride;
-        let Band { rows, color, mut depth, .. } = band;
+        let Band { rows, stride, color, mut depth, .. } = band;
         for (k, y) in rows.enumerate() {
             let line = k * stride..k * stride + width;
-            let local = (y % SIDE) as usize;
-            let block_row = local / BLOCK as usize * (SIDE / BLOCK) as usize;
-            let from = local % BLOCK as usize * BLOCK as usize;
-            // The four pixels of this row in each block of a tile.
-            let tiles = |tile: usize| {
-                let depths = &self.depths[tile].as_chunks::<16>().0[block_row..];
-                let values = &self.values[tile].as_chunks::<16>().0[block_row..];
-                values.iter().zip(depths).map(move |(values, depths)| {
-                    let four = |k: usize| (values[(from + k) % 16], depths[(from + k) % 16]);
-                    [four(0), four(1), four(2), four(3)]
-                })
-            };
-            for ((tile, first), piece) in
-                (0..).zip((0..).step_by(SIDE as usize)).zip(color[line.clone()].chunks_mut(SIDE as usize))
-            {
-                let sampled = |x: u32, (value, depth)| pixel(Sampled { x, y, value, depth });
+            let row = Row::new(y);
+            let pieces = color[line.clone()].chunks_mut(SIDE as usize);
+            for ((x, tile), piece) in (0..).step_by(SIDE as usize).zip(0..).zip(pieces) {
                 if self.live[tile] {
-                    let fours = (first..).step_by(BLOCK as usize).zip(tiles(tile));
-                    let (whole, rest) = piece.as_chunks_mut::<4>();
-                    let mut fours = fours.map(|(x, from)| [0, 1, 2, 3].map(|k: u8| (x + u32::from(k), from[usize::from(k)])));
-                    for (to, from) in whole.iter_mut().zip(&mut fours) {
-                        *to = from.map(|(x, from)| sampled(x, from));
-                    }
-                    for (to, (x, from)) in rest.iter_mut().zip(fours.next().into_iter().flatten()) {
-                        *to = sampled(x, from);
-                    }
+                    let (values, depths) = (row.of(&self.values[tile]), row.of(&self.depths[tile]));
+                    let make = |x: u32, value: u32, depth: f32| pixel(Sampled { x, y, value, depth });
+                    row.put(x, piece, values, depths, make);
                 } else {
-                    for (x, to) in (first..).zip(piece) {
-                        *to = sampled(x, (empty, clear));
+                    for (x, to) in (x..).zip(piece) {
+                        *to = pixel(Sampled { x, y, value: empty.0, depth: empty.1 });
                     }
                 }
             }
             match &mut depth {
                 Depth::None => {}
-                Depth::F32(depth) => {
-                    for (tile, piece) in depth[line].chunks_mut(SIDE as usize).enumerate() {
-                        if !self.live[tile] {
-                            piece.fill(clear);
-                            continue;
-                        }
-                        for (to, from) in piece.chunks_mut(4).zip(tiles(tile)) {
-                            to.iter_mut().zip(from).for_each(|(to, (_, depth))| *to = depth);
-                        }
-                    }
-                }
-                Depth::U16(depth) => {
-                    for (tile, piece) in depth[line].chunks_mut(SIDE as usize).enumerate() {
-                        if !self.live[tile] {
-                            piece.fill(clear_u16);
-                            continue;
-                        }
-                        for (to, from) in piece.chunks_mut(4).zip(tiles(tile)) {
-                            to.iter_mut().zip(from).for_each(|(to, (_, depth))| *to = whole(depth));
-                        }
-                    }
-                }
+                Depth::F32(depth) => self.write_depth(&row, &mut depth[line], empty.1, |z| z),
+                Depth::U16(depth) => self.write_depth(&row, &mut depth[line], empty.1, whole),
+            }
+        }
+    }
+
+    /// Writes the depths of a row, as they are stored.
+    #[inline(always)]
+    fn write_depth<D: Copy>(&self, row: &Row, line: &mut [D], empty: f32, stored: impl Fn(f32) -> D) {
+        for (tile, piece) in line.chunks_mut(SIDE as usize).enumerate() {
+            if self.live[tile] {
+                let depths = row.of(&self.depths[tile]);
+                row.put(0, piece, depths, depths, |_, depth, _| stored(depth));
+            } else {
+                piece.fill(stored(empty));
+            }
+        }
+    }
+}
+
+/// Where a row of pixels lies in a tile's memory: four pixels in each block of a row of blocks.
+struct Row {
+    first: usize,
+    four: usize,
+}
+
+impl Row {
+    const fn new(y: u32) -> Self {
+        let (block, four) = (y % SIDE / BLOCK, y % BLOCK);
+        Self { first: (block * (SIDE / BLOCK)) as usize, four: four as usize }
+    }
+
+    /// The row of blocks.
+    #[inline(always)]
+    fn of<'a, T>(&self, tile: &'a [T; AREA]) -> &'a [[T; 16]] {
+        &tile.as_chunks::<16>().0[self.first..self.first + (SIDE / BLOCK) as usize]
+    }
+
+    /// Makes the pixels from x on of what the blocks hold.
+    #[inline(always)]
+    fn put<V: Copy, D: Copy, P>(
+        &self,
+        x: u32,
+        to: &mut [P],
+        values: &[[V; 16]],
+        depths: &[[D; 16]],
+        mut make: impl FnMut(u32, V, D) -> P,
+    ) {
+        let (fours, rest) = to.as_chunks_mut::<4>();
+        let mut x = x;
+        let count = fours.len();
+        for ((to, values), depths) in fours.iter_mut().zip(values).zip(depths) {
+            let v = values.as_chunks::<4>().0[self.four % 4];
+            let d = depths.as_chunks::<4>().0[self.four % 4];
+            *to = [make(x, v[0], d[0]), make(x + 1, v[1], d[1]), make(x + 2, v[2], d[2]), make(x + 3, v[3], d[3])];
+            x += BLOCK;
+        }
+        if let (Some(values), Some(depths)) = (values.get(count), depths.get(count)) {
+            let v = values.as_chunks::<4>().0[self.four % 4];
+            let d = depths.as_chunks::<4>().0[self.four % 4];
+            for (x, ((to, v), d)) in (x..).zip(rest.iter_mut().zip(v).zip(d)) {
+                *to = make(x, v, d);
             }
         }
     }

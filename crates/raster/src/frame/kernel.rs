@@ -1,9 +1,10 @@
 //! Eight pixels at a time: the depth test and the choice, in a tile's memory.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, f64x4, i32x8, mask32x8, u32x8};
+use fearless_simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::bins::{AREA, BLOCK, SIDE, Small};
+use super::each::{three, two};
 use crate::DepthTest;
 use crate::depth::formula;
 
@@ -74,8 +75,8 @@ impl Test for Any {
     fn lanes<L: Simd>(self, simd: L, new: f32x8<L>, old: f32x8<L>) -> (f32x8<L>, mask32x8<L>, mask32x8<L>) {
         let new = if self.quantised {
             let (low, high) = new.widen();
-            let steps = |z: f64x4<L>| (z * f64::from(u16::MAX - 1)).trunc() + 1.0;
-            steps(low).narrow(steps(high))
+            let steps = f64::from(u16::MAX - 1);
+            ((low * steps).trunc() + 1.0).narrow((high * steps).trunc() + 1.0)
         } else {
             new
         };
@@ -151,30 +152,49 @@ impl Tile<'_> {
         let (columns, rows) = (first(x0, x)..end(x1, x), first(y0, y)..end(y1, y));
         let dx = (x + columns.start * BLOCK).wrapping_sub(x0).cast_signed();
         let dy = (y + rows.start * BLOCK).wrapping_sub(y0).cast_signed();
-        let splat = |v: f32| f32x8::splat(simd, v);
-        let (c, q, most) = (splat(small.c), small.q.map(splat), splat(small.most));
-        let more = small.more();
+        let (c, most) = (f32x8::splat(simd, small.c), f32x8::splat(simd, small.most));
+        let q = two(#[inline(always)] |k| f32x8::splat(simd, small.q[k]));
+        let more = two(#[inline(always)] |k| i32x8::splat(simd, small.more()[k]));
         let (half_x, half_y) = (half_x(simd), half_y(simd));
-        let mut row = [0, 1, 2].map(|k: usize| {
-            let far = small.x[k].wrapping_mul(dx).wrapping_add(small.y[k].wrapping_mul(dy));
-            half_x * small.x[k] + half_y * small.y[k] + small.e[k].wrapping_add(far)
-        });
-        let right = small.x.map(|x| x.wrapping_mul(BLOCK.cast_signed()));
-        let down = small.y.map(|y| y.wrapping_mul(2));
+        let mut row = three(
+            #[inline(always)]
+            |k| {
+                let far = small.x[k].wrapping_mul(dx).wrapping_add(small.y[k].wrapping_mul(dy));
+                half_x * small.x[k] + half_y * small.y[k] + small.e[k].wrapping_add(far)
+            },
+        );
+        let right = three(#[inline(always)] |k| i32x8::splat(simd, small.x[k].wrapping_mul(BLOCK.cast_signed())));
+        let down = three(#[inline(always)] |k| i32x8::splat(simd, small.y[k].wrapping_mul(2)));
         for y in rows {
             let mut upper = row;
-            let lower = [0, 1, 2].map(|k: usize| row[k] + down[k]);
-            row = [0, 1, 2].map(|k: usize| lower[k] + down[k]);
-            let mut lower = lower;
+            let mut lower = three(#[inline(always)] |k| row[k] + down[k]);
+            row = three(#[inline(always)] |k| lower[k] + down[k]);
             for x in columns.clone() {
                 let block = (y * (SIDE / BLOCK) + x) as usize;
-                for (half, e) in [&mut upper, &mut lower].into_iter().enumerate() {
-                    let inside = (e[0] | e[1] | e[2]).simd_ge(0);
-                    let z = formula(c, q, [0, 1].map(|k: usize| (e[k] + more[k]).to_float::<f32x8<L>>()));
-                    self.put(simd, block, half, z.min(most), inside, value, test);
-                    *e = [0, 1, 2].map(|k: usize| e[k] + right[k]);
-                }
+                self.half(simd, block, 0, upper, more, (c, q, most), value, test);
+                self.half(simd, block, 1, lower, more, (c, q, most), value, test);
+                upper = three(#[inline(always)] |k| upper[k] + right[k]);
+                lower = three(#[inline(always)] |k| lower[k] + right[k]);
             }
         }
+    }
+
+    /// Half a block of a small triangle, from its edge values.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "inlined")]
+    fn half<L: Simd, T: Test>(
+        &mut self,
+        simd: L,
+        block: usize,
+        half: usize,
+        e: [i32x8<L>; 3],
+        more: [i32x8<L>; 2],
+        (c, q, most): (f32x8<L>, [f32x8<L>; 2], f32x8<L>),
+        value: u32,
+        test: T,
+    ) {
+        let inside = (e[0] | e[1] | e[2]).simd_ge(0);
+        let z = formula(c, q, [(e[0] + more[0]).to_float(), (e[1] + more[1]).to_float()]);
+        self.put(simd, block, half, z.min(most), inside, value, test);
     }
 }

@@ -9,10 +9,11 @@
 //! ```
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, f64x4, i32x8};
+use fearless_simd::{Simd, f32x8, f64x4, i32x4, i32x8};
 
 use super::batch::Job;
-use super::bins::{AREA, BLOCK, Large, SIDE, Segment};
+use super::bins::{BLOCK, Large, SIDE, Segment};
+use super::each::{four, two};
 use super::kernel::{Test, Tile, half_x, half_y};
 use crate::depth::{DepthPlane, formula};
 use crate::edge::Edge;
@@ -119,29 +120,41 @@ fn rows<L: Simd, E: Walk<L>, T: Test>(
     value: u32,
     test: T,
 ) {
-    let splat = |v: f32| f32x8::splat(simd, v);
-    let (c, q, most) = (splat(plane.c), plane.q.map(splat), splat(plane.most));
+    let (c, most) = (f32x8::splat(simd, plane.c), f32x8::splat(simd, plane.most));
+    let q = two(#[inline(always)] |k| f32x8::splat(simd, plane.q[k]));
     let columns = half_x(simd);
     for row in blocks {
-        let [a, b, c4, d] = [0, 1, 2, 3].map(|k| spans[(row * BLOCK + k) as usize % SIDE as usize]);
-        let begin = a[0].min(b[0]).min(c4[0]).min(d[0]).cast_unsigned() / BLOCK;
-        let end = a[1].max(b[1]).max(c4[1]).max(d[1]).cast_unsigned().div_ceil(BLOCK);
-        let pair = |p: i32, q: i32| i32x8::simd_from(simd, [p, p, p, p, q, q, q, q]);
-        let starts = [pair(a[0], b[0]), pair(c4[0], d[0])];
-        let ends = [pair(a[1], b[1]), pair(c4[1], d[1])];
+        let first = (row * BLOCK) as usize % SIDE as usize;
+        let four = four(#[inline(always)] |k| spans[(first + k) % SIDE as usize]);
+        let [begin, end] = extent(four);
+        let [starts, ends] = two(
+            #[inline(always)]
+            |side| two(#[inline(always)] |half| pair(simd, four[2 * half][side], four[2 * half + 1][side])),
+        );
         let mut e = start.at(begin * BLOCK, row * BLOCK);
         let mut x = columns + (begin * BLOCK).cast_signed();
         for block in begin..end {
             let at = (row * (SIDE / BLOCK) + block) as usize;
-            for half in [0, 1] {
-                let z = formula(c, q, e.half(half)).min(most);
-                let inside = x.simd_ge(starts[half]) & x.simd_lt(ends[half]);
-                tile.put(simd, at, half, z, inside, value, test);
-            }
+            let inside = two(#[inline(always)] |half| x.simd_ge(starts[half]) & x.simd_lt(ends[half]));
+            tile.put(simd, at, 0, formula(c, q, e.half(0)).min(most), inside[0], value, test);
+            tile.put(simd, at, 1, formula(c, q, e.half(1)).min(most), inside[1], value, test);
             e = e.step();
             x += BLOCK.cast_signed();
         }
     }
+}
+
+/// The first block that four rows touch, and one past the last.
+#[inline(always)]
+fn extent([a, b, c, d]: [[i32; 2]; 4]) -> [u32; 2] {
+    let begin = a[0].min(b[0]).min(c[0]).min(d[0]).cast_unsigned() / BLOCK;
+    [begin, a[1].max(b[1]).max(c[1]).max(d[1]).cast_unsigned().div_ceil(BLOCK)]
+}
+
+/// A value for each of the two rows of half a block.
+#[inline(always)]
+fn pair<L: Simd>(simd: L, upper: i32, lower: i32) -> i32x8<L> {
+    i32x4::splat(simd, upper).combine(i32x4::splat(simd, lower))
 }
 
 /// The two edge values of the depth formula at the pixels of a block.
@@ -166,29 +179,36 @@ impl<L: Simd> Narrow<L> {
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "wraps where nothing is covered")]
     fn new(simd: L, plane: &DepthPlane, rect: Rect) -> Self {
-        let first = plane.edges.map(|edge| edge.at(rect.x0, rect.y0) as i32);
-        let (x, y) = (plane.edges.map(|edge| edge.x as i32), plane.edges.map(|edge| edge.y as i32));
-        Self { e: [0, 1].map(|k: usize| half_x(simd) * x[k] + half_y(simd) * y[k] + first[k]), x, y }
+        let [p, q] = &plane.edges;
+        let (x, y) = ([p.x as i32, q.x as i32], [p.y as i32, q.y as i32]);
+        let first = [p.at(rect.x0, rect.y0) as i32, q.at(rect.x0, rect.y0) as i32];
+        let (half_x, half_y) = (half_x(simd), half_y(simd));
+        Self { e: two(#[inline(always)] |k| half_x * x[k] + half_y * y[k] + first[k]), x, y }
     }
 }
 
 impl<L: Simd> Walk<L> for Narrow<L> {
     #[inline(always)]
     fn at(&self, x: u32, y: u32) -> Self {
-        let [x, y] = [x, y].map(u32::cast_signed);
-        let far = |k: usize| self.x[k].wrapping_mul(x).wrapping_add(self.y[k].wrapping_mul(y));
-        Self { e: [self.e[0] + far(0), self.e[1] + far(1)], ..*self }
+        let [x, y] = [x.cast_signed(), y.cast_signed()];
+        let far = [
+            self.x[0].wrapping_mul(x).wrapping_add(self.y[0].wrapping_mul(y)),
+            self.x[1].wrapping_mul(x).wrapping_add(self.y[1].wrapping_mul(y)),
+        ];
+        Self { e: [self.e[0] + far[0], self.e[1] + far[1]], ..*self }
     }
 
     #[inline(always)]
     fn step(&self) -> Self {
-        Self { e: [0, 1].map(|k: usize| self.e[k] + self.x[k].wrapping_mul(BLOCK.cast_signed())), ..*self }
+        let block = BLOCK.cast_signed();
+        let e = [self.e[0] + self.x[0].wrapping_mul(block), self.e[1] + self.x[1].wrapping_mul(block)];
+        Self { e, ..*self }
     }
 
     #[inline(always)]
     fn half(&self, half: usize) -> [f32x8<L>; 2] {
-        let down = |k: usize| if half == 0 { self.e[k] } else { self.e[k] + self.y[k].wrapping_mul(2) };
-        [down(0).to_float(), down(1).to_float()]
+        let down = |k: usize| if half == 0 { 0 } else { self.y[k].wrapping_mul(2) };
+        [(self.e[0] + down(0)).to_float(), (self.e[1] + down(1)).to_float()]
     }
 }
 
@@ -204,37 +224,36 @@ impl<L: Simd> Wide<L> {
     #[inline(always)]
     #[expect(clippy::cast_precision_loss, reason = "below 2⁵³")]
     fn new(simd: L, plane: &DepthPlane, rect: Rect) -> Self {
-        let first = plane.edges.map(|edge| edge.at(rect.x0, rect.y0) as f64);
-        let (x, y) = (plane.edges.map(|edge| edge.x as f64), plane.edges.map(|edge| edge.y as f64));
+        let [p, q] = &plane.edges;
+        let (x, y) = ([p.x as f64, q.x as f64], [p.y as f64, q.y as f64]);
+        let first = [p.at(rect.x0, rect.y0) as f64, q.at(rect.x0, rect.y0) as f64];
         let columns = f64x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
-        let e = [0, 1].map(|k: usize| {
-            let upper = columns * x[k] + first[k];
-            [upper, upper + y[k]]
-        });
-        Self { e, x, y }
+        let upper = two(#[inline(always)] |k| columns * x[k] + first[k]);
+        Self { e: [[upper[0], upper[0] + y[0]], [upper[1], upper[1] + y[1]]], x, y }
+    }
+
+    #[inline(always)]
+    fn moved(&self, far: [f64; 2]) -> Self {
+        let [p, q] = self.e;
+        Self { e: [[p[0] + far[0], p[1] + far[0]], [q[0] + far[1], q[1] + far[1]]], ..*self }
     }
 }
 
 impl<L: Simd> Walk<L> for Wide<L> {
     #[inline(always)]
     fn at(&self, x: u32, y: u32) -> Self {
-        let far = |k: usize| self.x[k] * f64::from(x) + self.y[k] * f64::from(y);
-        Self { e: [0, 1].map(|k: usize| self.e[k].map(|e| e + far(k))), ..*self }
+        let [x, y] = [f64::from(x), f64::from(y)];
+        self.moved([self.x[0] * x + self.y[0] * y, self.x[1] * x + self.y[1] * y])
     }
 
     #[inline(always)]
     fn step(&self) -> Self {
-        Self { e: [0, 1].map(|k: usize| self.e[k].map(|e| e + self.x[k] * f64::from(BLOCK))), ..*self }
+        self.moved([self.x[0] * f64::from(BLOCK), self.x[1] * f64::from(BLOCK)])
     }
 
     #[inline(always)]
     fn half(&self, half: usize) -> [f32x8<L>; 2] {
-        [0, 1].map(|k: usize| {
-            let [upper, lower] = self.e[k];
-            let down = if half == 0 { 0.0 } else { 2.0 * self.y[k] };
-            (upper + down).narrow(lower + down)
-        })
+        let [p, q] = if half == 0 { self.e } else { self.moved([2.0 * self.y[0], 2.0 * self.y[1]]).e };
+        [p[0].narrow(p[1]), q[0].narrow(q[1])]
     }
 }
-
-const _: () = assert!(AREA == 4096);

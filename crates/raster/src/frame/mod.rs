@@ -20,6 +20,7 @@
 
 mod batch;
 mod bins;
+mod each;
 mod finish;
 mod kernel;
 mod large;
@@ -31,7 +32,7 @@ mod workers;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use self::batch::{Batch, Job, NOBODY};
+use self::batch::Job;
 use self::bins::{FRAGMENT_DRAWS, RECORDS, SIDE, Segment};
 use self::finish::Hand;
 pub use self::finish::Sampled;
@@ -204,11 +205,14 @@ impl Frame {
         let clip = state.scissor.map_or(picture, |scissor| scissor.intersection(picture));
         let setup = Setup::new(state, width, height);
         let snapper = Snapper::new(state.space, state.space.viewport(width, height));
+        let empty = Rect { x0: 0, y0: 0, x1: 0, y1: 0 };
         let job = Job {
             setup: &setup,
+            snapper: &snapper,
             state,
             vertices,
-            clip: if clip.x0 < clip.x1 && clip.y0 < clip.y1 { clip } else { Rect { x1: 0, y1: 0, x0: 0, y0: 0 } },
+            triangles,
+            clip: if clip.x0 < clip.x1 && clip.y0 < clip.y1 { clip } else { empty },
             picture,
             draw,
             fragments: draw < FRAGMENT_DRAWS,
@@ -226,8 +230,7 @@ impl Frame {
             let binned = workers::shared(segments, &|number, segment| {
                 let part = |k: usize| piece.start + piece.len() * k / threads;
                 let part = part(number)..part(number + 1);
-                let source = Source { snapper: &snapper, snapped, triangles };
-                fearless_simd::dispatch!(level, simd => bin(simd, &job, &source, part, &value, segment))
+                fearless_simd::dispatch!(level, simd => bin(simd, &job, snapped, part, &value, segment))
             });
             stats += binned;
         }
@@ -262,60 +265,19 @@ impl Frame {
     }
 }
 
-/// Where the corners of a draw's triangles are.
-#[derive(Clone, Copy)]
-struct Source<'a> {
-    snapper: &'a Snapper,
-    snapped: &'a [Snapped],
-    triangles: Triangles<'a>,
-}
-
-impl Source<'_> {
-    /// The triangles from `first` on, up to eight.
-    #[inline(always)]
-    fn batch<L: fearless_simd::Simd>(&self, simd: L, vertices: &Vertices<'_>, range: Range<usize>) -> Batch {
-        let (first, count) = (range.start, range.len().min(LANES));
-        let mut corners = [[NOBODY; LANES]; 3];
-        let mut indices = [[0; 3]; LANES];
-        match self.triangles {
-            Triangles::Indexed(triangles) => {
-                for (lane, triangle) in triangles[first..first + count].iter().enumerate() {
-                    indices[lane] = *triangle;
-                    for (k, &vertex) in triangle.iter().enumerate() {
-                        corners[k][lane] = self.snapped.get(vertex as usize).copied().unwrap_or(NOBODY);
-                    }
-                }
-            }
-            Triangles::Consecutive => {
-                let blocks = [0, 1, 2].map(|k| self.snapper.block(simd, vertices, 3 * first + k * LANES));
-                let (triangles, _) = blocks.as_flattened().as_chunks::<3>();
-                for (lane, triangle) in triangles.iter().enumerate().take(LANES) {
-                    let vertex = |k: usize| u32::try_from(3 * (first + lane) + k).unwrap_or(u32::MAX);
-                    indices[lane] = [vertex(0), vertex(1), vertex(2)];
-                    for k in 0..3 {
-                        corners[k][lane] = triangle[k];
-                    }
-                }
-            }
-        }
-        Batch { corners, indices, first, count }
-    }
-}
-
 /// Bins some of a draw's triangles.
 #[inline(always)]
 fn bin<L: fearless_simd::Simd, V: Fn(usize) -> u32>(
     simd: L,
     job: &Job<'_>,
-    source: &Source<'_>,
+    snapped: &[Snapped],
     range: Range<usize>,
     value: &V,
     segment: &mut Segment,
 ) -> Stats {
     let mut stats = Stats::default();
     for first in range.clone().step_by(LANES) {
-        let batch = source.batch(simd, &job.vertices, first..range.end);
-        batch::bin(simd, job, &batch, value, segment, &mut stats);
+        batch::bin(simd, job, snapped, first..range.end, value, segment, &mut stats);
     }
     stats
 }
@@ -343,6 +305,14 @@ impl Frame {
     /// Whether a tile may pass over what its bound hides: where no draw lets a farther depth replace a nearer one.
     fn occludes(&self) -> bool {
         self.draws.iter().all(|draw| draw.state.test == DepthTest::Greater)
+    }
+
+    /// What depth is cleared to, as tiles store it.
+    fn cleared(&self) -> f32 {
+        match self.depth {
+            StoredDepth::F32(depth) => depth,
+            StoredDepth::U16(depth) => depth.into(),
+        }
     }
 
     /// Whether every draw is of the plainest kind.

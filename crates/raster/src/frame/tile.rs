@@ -45,11 +45,8 @@ impl<'a> Scene<'a> {
         if self.segments.iter().all(|segment| segment.bins[index].entries.is_empty()) {
             return false;
         }
-        let (depth, quantised) = match self.frame.depth {
-            StoredDepth::F32(depth) => (depth, false),
-            StoredDepth::U16(depth) => (f32::from(depth), true),
-        };
-        tile.depths.fill(depth);
+        let quantised = matches!(self.frame.depth, StoredDepth::U16(_));
+        tile.depths.fill(self.frame.cleared());
         tile.values.fill(self.frame.value);
         let any = |drawn: &Drawn| Any { test: drawn.state.test, write: drawn.state.write, quantised };
         if self.plain && self.frame.in_order {

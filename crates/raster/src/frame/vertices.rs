@@ -9,6 +9,7 @@ use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x4, i32x8, i64x4};
 use polosa_math::Viewport;
 use polosa_math::viewport::sub_pixels;
 
+use super::each::{four, two};
 use crate::snap::{GUARD, ROUND};
 use crate::transform::transform_point;
 use crate::{Clip, Columns, Space};
@@ -55,25 +56,33 @@ impl Vertices<'_> {
         }
     }
 
-    /// Eight of them from `first` on, as many as there are; the rest as NaN, which nothing is drawn of.
+    /// Some of them from `first` on, if they need no transform and all are there: no copy, which the loads of
+    /// vectors would have to wait for.
     #[inline(always)]
-    fn block(&self, first: usize) -> [Clip; LANES] {
-        let mut block = [[f32::NAN; 4]; LANES];
+    pub(crate) fn lent<const N: usize>(&self, first: usize) -> Option<&[Clip; N]> {
+        match self {
+            Self::Clip(vertices) => vertices.get(first..)?.first_chunk(),
+            Self::Model { .. } => None,
+        }
+    }
+
+    /// Some of them from `first` on, as many as there are; the rest as NaN, which nothing is drawn of.
+    #[inline(always)]
+    pub(crate) fn made<const N: usize>(&self, first: usize) -> [Clip; N] {
+        let mut made = [[f32::NAN; 4]; N];
         match self {
             Self::Clip(vertices) => {
-                let given = vertices.get(first..).unwrap_or_default();
-                match given.first_chunk() {
-                    Some(whole) => block = *whole,
-                    None => block[..given.len()].copy_from_slice(given),
+                for (to, from) in made.iter_mut().zip(vertices.get(first..).unwrap_or_default()) {
+                    *to = *from;
                 }
             }
             Self::Model { matrix, positions } => {
-                for (to, &from) in block.iter_mut().zip(positions.get(first..).unwrap_or_default()) {
+                for (to, &from) in made.iter_mut().zip(positions.get(first..).unwrap_or_default()) {
                     *to = transform_point(matrix, from);
                 }
             }
         }
-        block
+        made
     }
 }
 
@@ -86,11 +95,12 @@ pub(crate) const PLAIN: i32 = 0;
 pub(crate) const UNSURE: i32 = 1;
 /// Eight snapped vertices as lanes: x, y, the bits of depth, and the marks.
 #[inline(always)]
-pub(crate) fn lanes<L: Simd>(simd: L, vertices: &[Snapped; LANES]) -> [i32x8<L>; 4] {
-    let (low, high) = vertices.as_flattened().split_at(4 * LANES / 2);
-    let low = i32x4::load_four_interleaved(simd, low);
-    let high = i32x4::load_four_interleaved(simd, high);
-    [0, 1, 2, 3].map(|k: usize| low[k].combine(high[k]))
+pub(crate) fn lanes<L: Simd>(simd: L, vertices: [[Snapped; 2]; 4]) -> [i32x8<L>; 4] {
+    let half = two(
+        #[inline(always)]
+        |h| i32x4::load_four_interleaved(simd, four(#[inline(always)] |k| vertices[k][h]).as_flattened()),
+    );
+    four(#[inline(always)] |k| half[0][k].combine(half[1][k]))
 }
 
 /// Not there.
@@ -118,14 +128,31 @@ impl Snapper {
     /// Snaps the vertices from `first` on.
     #[inline(always)]
     pub(crate) fn block<L: Simd>(&self, simd: L, vertices: &Vertices<'_>, first: usize) -> [Snapped; LANES] {
+        let clip: &[Clip; LANES] = match vertices.lent(first) {
+            Some(lent) => lent,
+            None => &vertices.made(first),
+        };
+        let clip = four(#[inline(always)] |k| [clip[k], clip[4 + k]]);
+        let [x, y, z, mark] = self.lanes(simd, clip);
+        let mut snapped = [[0; 4]; LANES];
+        let (low, high) = snapped.as_flattened_mut().split_at_mut(4 * LANES / 2);
+        let [x, y, z, mark] = [x.split(), y.split(), z.split(), mark.split()];
+        i32x4::store_four_interleaved([x.0, y.0, z.0, mark.0], low);
+        i32x4::store_four_interleaved([x.1, y.1, z.1, mark.1], high);
+        snapped
+    }
+
+    /// Snaps eight vertices: the first and the fifth, the second and the sixth, and so on.
+    #[inline(always)]
+    pub(crate) fn lanes<L: Simd>(&self, simd: L, clip: [[Clip; 2]; 4]) -> [i32x8<L>; 4] {
         // Below and above these, products of w with a bound could leave the range of normal numbers.
         const LEAST_W: f32 = 1e-30;
         const MOST_W: f32 = 1e30;
-        let block = vertices.block(first);
-        let (low, high) = block.as_flattened().split_at(4 * LANES / 2);
-        let low = f32x4::load_four_interleaved(simd, low);
-        let high = f32x4::load_four_interleaved(simd, high);
-        let [x, y, z, w] = [0, 1, 2, 3].map(|k: usize| low[k].combine(high[k]));
+        let half = two(
+            #[inline(always)]
+            |h| f32x4::load_four_interleaved(simd, four(#[inline(always)] |k| clip[k][h]).as_flattened()),
+        );
+        let [x, y, z, w] = four(#[inline(always)] |k| half[0][k].combine(half[1][k]));
         let one = f32x8::splat(simd, 1.0);
         let (bound, scale) = match self.space {
             Space::Clip => (w, w),
@@ -138,32 +165,34 @@ impl Snapper {
             & x.abs().simd_le(bound * self.reach[0])
             & y.abs().simd_le(bound * self.reach[1]);
         // Division by 1 changes no bit; not to divide saves half of the time.
-        let undivided = (scale.simd_eq(one)).all_true();
-        let (w_low, w_high) = scale.widen();
-        let place = |v: f32x8<L>, k: usize| {
-            let [s, o] = [self.viewport.scale[k], self.viewport.offset[k]].map(|v| f64x4::splat(simd, v));
-            let (low, high) = v.widen();
-            let [low, high] = if undivided {
-                [low * s + o, high * s + o]
-            } else {
-                [sub_pixels(low, w_low, s, o), sub_pixels(high, w_high, s, o)]
-            };
-            let bits = |v: f64x4<L>| (v + ROUND).bitcast::<i64x4<L>>();
-            bits(low).narrow(bits(high))
-        };
-        let depth = if undivided {
-            z + 0.0
+        let (x, y, z) = if (scale.simd_eq(one)).all_true() {
+            (self.place(simd, x, None, 0), self.place(simd, y, None, 1), z + 0.0)
         } else {
             let (low, high) = z.widen();
-            (low / w_low + 0.0).narrow(high / w_high + 0.0)
+            let w = scale.widen();
+            let z = (low / w.0 + 0.0).narrow(high / w.1 + 0.0);
+            (self.place(simd, x, Some(w), 0), self.place(simd, y, Some(w), 1), z)
         };
         let mark = plain.select(i32x8::splat(simd, PLAIN), i32x8::splat(simd, UNSURE));
-        let mut snapped = [[0; 4]; LANES];
-        let lanes = [place(x, 0), place(y, 1), depth.bitcast(), mark];
-        let (low, high) = snapped.as_flattened_mut().split_at_mut(4 * LANES / 2);
-        let halves = lanes.map(SimdSplit::split);
-        i32x4::store_four_interleaved(halves.map(|half| half.0), low);
-        i32x4::store_four_interleaved(halves.map(|half| half.1), high);
-        snapped
+        [x, y, z.bitcast(), mark]
+    }
+
+    /// Where eight coordinates land; without w it is 1.
+    #[inline(always)]
+    fn place<L: Simd>(
+        &self,
+        simd: L,
+        v: f32x8<L>,
+        w: Option<(f64x4<L>, f64x4<L>)>,
+        axis: usize,
+    ) -> i32x8<L> {
+        let scale = f64x4::splat(simd, self.viewport.scale[axis]);
+        let offset = f64x4::splat(simd, self.viewport.offset[axis]);
+        let (low, high) = v.widen();
+        let (low, high) = match w {
+            None => (low * scale + offset, high * scale + offset),
+            Some(w) => (sub_pixels(low, w.0, scale, offset), sub_pixels(high, w.1, scale, offset)),
+        };
+        (low + ROUND).bitcast::<i64x4<L>>().narrow((high + ROUND).bitcast())
     }
 }
