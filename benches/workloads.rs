@@ -35,7 +35,7 @@ pub struct Size {
     pub side: f32,
 }
 
-/// 64 triangles of 433,000 px each; about a third of that is outside of the picture.
+/// 64 triangles of 433,000 px each; a quarter of that is outside of the picture, and ten layers cover the rest.
 pub const LARGE: Size = Size { name: "large", count: 64, side: 1000.0 };
 /// 20,000 triangles of 130 px: the size of faces in a game of the nineties, or of a far object today.
 pub const MEDIUM: Size = Size { name: "medium", count: 20_000, side: 17.33 };

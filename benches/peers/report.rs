@@ -121,9 +121,8 @@ pub(crate) fn provenance(
     let commit = said("git", &["-C", root, "rev-parse", "--short=12", "HEAD"]);
     let changed = said("git", &["-C", root, "status", "--porcelain", "--untracked-files=no", ".."]);
     let changed = changed.lines().filter(|line| !line.ends_with(".md")).count();
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let command =
-        format!("cargo bench -p polosa-benches --features peers --bench peers -- {}", arguments.join(" "));
+        format!("cargo bench -p polosa-benches --features peers --bench peers -- {}", telling_arguments());
     let changed = match changed {
         0 => String::new(),
         files => format!(", and changes not committed in {files} files"),
@@ -141,6 +140,20 @@ pub(crate) fn provenance(
         ("peers", ["euc", "retrofire-core"].map(version).join(", ")),
         ("rounds", rounds.to_string()),
     ]
+}
+
+/// The command line without what says only where the figures go.
+fn telling_arguments() -> String {
+    let mut arguments = std::env::args().skip(1);
+    let mut telling = Vec::new();
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "--record" | "--json" | "--pictures" | "--note" => drop(arguments.next()),
+            "--bench" => {}
+            _ => telling.push(argument),
+        }
+    }
+    telling.join(" ")
 }
 
 /// The load averages of the last 1, 5 and 15 minutes.
