@@ -24,7 +24,7 @@ use crate::snap::GUARD;
 pub(crate) const PLANES: usize = 6;
 
 /// A triangle has three corners, and each plane adds one at most.
-const MOST: usize = 3 + PLANES;
+pub(crate) const MOST: usize = 3 + PLANES;
 
 /// A vertex while it is being clipped.
 #[derive(Clone, Copy, Debug, Default)]

@@ -66,6 +66,7 @@ extern crate alloc;
 extern crate std;
 
 mod clip;
+mod deferred;
 mod depth;
 mod edge;
 mod fill;
@@ -88,6 +89,7 @@ mod weights;
 /// `0 <= z <= w`.
 pub type Clip = [f32; 4];
 
+pub use deferred::Deferred;
 pub use depth::DepthPlane;
 #[cfg(feature = "alloc")]
 pub use frame::{Frame, Level, Sampled, Triangles, Vertices};

@@ -2,6 +2,7 @@
 
 use core::fmt;
 use core::ops::Range;
+use core::slice::ChunksMut;
 
 use crate::depth::Stored;
 use crate::{DepthTest, Rect};
@@ -98,10 +99,16 @@ impl fmt::Display for TargetError {
                 write!(f, "rows {start}..{end} of a picture with {height}: name rows that it has")
             }
             Self::Frame { frame: [fw, fh], target: [tw, th] } => {
-                write!(f, "a frame of {fw}×{fh} pixels for a picture of {tw}×{th}: begin it with the picture's size")
+                write!(
+                    f,
+                    "a frame of {fw}×{fh} pixels for a picture of {tw}×{th}: begin it with the picture's size"
+                )
             }
             Self::Format => {
-                write!(f, "the target keeps depth in another format than the frame: begin it with the target's")
+                write!(
+                    f,
+                    "the target keeps depth in another format than the frame: begin it with the target's"
+                )
             }
             Self::Color { needed, given } => {
                 write!(f, "{given} pixels of colour given, {needed} needed")
@@ -202,6 +209,42 @@ impl<'a, P: Copy> Target<'a, P> {
         Ok(Self { color, depth, width, height, stride, rows })
     }
 
+    /// The same pixels with depth kept elsewhere, in rows as far apart as those of the pixels.
+    ///
+    /// # Errors
+    ///
+    /// When the slice is too short.
+    pub fn with_depth<'b>(&'b mut self, depth: Depth<'b>) -> Result<Target<'b, P>, TargetError> {
+        let size = [self.width, self.height];
+        Target::band(self.color, depth, size, self.stride, self.rows.clone())
+    }
+
+    /// The target in bands of so many rows (at least one; the last may have fewer), from top to bottom: for several
+    /// threads to draw on.
+    pub fn bands(&mut self, rows: u32) -> impl Iterator<Item = Target<'_, P>> {
+        let length = rows.max(1) as usize * self.stride;
+        let Self { width, height, stride, .. } = *self;
+        let end = self.rows.end;
+        let firsts = self.rows.clone().step_by(rows.max(1) as usize);
+        let mut color = self.color.chunks_mut(length);
+        let mut depth = match &mut self.depth {
+            Depth::None => Depths::None,
+            Depth::F32(depth) => Depths::F32(depth.chunks_mut(length)),
+            Depth::U16(depth) => Depths::U16(depth.chunks_mut(length)),
+        };
+        firsts.map_while(move |first| {
+            let (color, depth) = (color.next()?, depth.next()?);
+            Some(Target {
+                color,
+                depth,
+                width,
+                height,
+                stride,
+                rows: first..end.min(first.saturating_add(rows.max(1))),
+            })
+        })
+    }
+
     /// The picture's width in pixels.
     #[must_use]
     pub const fn width(&self) -> u32 {
@@ -212,6 +255,12 @@ impl<'a, P: Copy> Target<'a, P> {
     #[must_use]
     pub const fn height(&self) -> u32 {
         self.height
+    }
+
+    /// How many pixels lead from a row to the next.
+    #[must_use]
+    pub const fn stride(&self) -> usize {
+        self.stride
     }
 
     /// The picture's rows that this target holds.
@@ -270,6 +319,23 @@ impl<'a, P: Copy> Target<'a, P> {
         let all = Rect { x0: 0, y0: self.rows.start, x1: self.width, y1: self.rows.end };
         let clip = scissor.map_or(all, |scissor| scissor.intersection(all));
         if clip.x0 < clip.x1 && clip.y0 < clip.y1 { clip } else { Rect { x1: all.x0, y1: all.y0, ..all } }
+    }
+}
+
+/// Pieces of a slice of depths.
+enum Depths<'a> {
+    None,
+    F32(ChunksMut<'a, f32>),
+    U16(ChunksMut<'a, u16>),
+}
+
+impl<'a> Depths<'a> {
+    fn next(&mut self) -> Option<Depth<'a>> {
+        match self {
+            Self::None => Some(Depth::None),
+            Self::F32(depths) => depths.next().map(Depth::F32),
+            Self::U16(depths) => depths.next().map(Depth::U16),
+        }
     }
 }
 

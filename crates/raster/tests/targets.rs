@@ -139,3 +139,37 @@ fn a_pixel_may_be_any_copy_value() {
     assert_eq!(color[0], Ink::Ink([0.1, 0.2, 0.3], 'ю'));
     assert_eq!(color[15], Ink::Paper);
 }
+
+#[test]
+fn bands_of_a_target_are_its_rows_and_nothing_else() {
+    for (rows, stride, start, end) in [(1, 5, 0, 9), (4, 7, 0, 9), (4, 5, 2, 9), (100, 6, 3, 4), (0, 5, 0, 9)]
+    {
+        let (mut color, mut depth) = (vec![0; stride * 9], vec![0_u16; stride * 9]);
+        let mut whole = Target::band(&mut color, Depth::U16(&mut depth), [5, 9], stride, start..end).unwrap();
+        let mut next = start;
+        for (number, mut band) in (1..).zip(whole.bands(rows)) {
+            assert_eq!((band.rows().start, band.width(), band.height(), band.stride()), (next, 5, 9, stride));
+            assert_eq!(band.rows().end, end.min(next + rows.max(1)));
+            next = band.rows().end;
+            band.clear(number, DepthTest::Less);
+        }
+        assert_eq!(next, end);
+        for y in start..end {
+            let number = (y - start) / rows.max(1) + 1;
+            assert_eq!(whole.color_at(4, y), Some(number));
+            assert_eq!(whole.depth_at(0, y), Some(StoredDepth::U16(u16::MAX)));
+        }
+    }
+}
+
+#[test]
+fn depth_may_be_kept_elsewhere_for_a_while() {
+    let (mut color, mut depth) = ([0; 20], [0.25; 19]);
+    let mut target = Target::new(&mut color, Depth::None, 4, 4, 5).unwrap();
+    let error = target.with_depth(Depth::F32(&mut [0.0; 18])).unwrap_err();
+    assert_eq!(error, TargetError::Depth { needed: 19, given: 18 });
+    let mut with_depth = target.with_depth(Depth::F32(&mut depth)).unwrap();
+    assert_eq!(with_depth.depth_at(3, 3), Some(StoredDepth::F32(0.25)));
+    with_depth.clear(7, DepthTest::Greater);
+    assert_eq!((target.color_at(3, 3), target.depth_at(3, 3)), (Some(7), None));
+}
