@@ -61,10 +61,12 @@ pub mod picture;
 #[allow(dead_code, reason = "for the drawing of whole frames")]
 mod shades;
 pub mod shape;
+mod share;
 pub mod srgb;
 mod stats;
 mod style;
 pub mod subdivide;
+mod timings;
 pub mod topology;
 pub mod world;
 
@@ -79,6 +81,7 @@ pub use shape::{Shape, ShapeError};
 pub use stats::DrawStats;
 pub use style::Style;
 pub use subdivide::subdivide;
+pub use timings::Timings;
 pub use world::{MeshKey, ObjectKey, World, WorldError};
 
 /// The examples of the README are tests, too.

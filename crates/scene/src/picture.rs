@@ -1,28 +1,24 @@
 //! A finished picture, with whatever else of it was asked for.
 //!
-//! It is drawn in bands of rows: by several threads, and so that depth and the sums of samples take 80 MiB at most,
-//! however large the picture is. A band has the same bytes as those rows of the whole, so that no number of threads
-//! changes the picture.
+//! Each sample of its pixels is a frame of its own. Where depth or sums of samples are needed, the picture is filled in
+//! bands of rows, so that those take 80 MiB at most, however large it is. A band has the same bytes as those rows of the
+//! whole.
 
 use core::num::NonZeroUsize;
 use core::ops::Range;
-use std::panic::resume_unwind;
-use std::thread;
 
-use polosa_raster::{Depth, DepthTest, MAX_SIDE, Sample, Target, TargetError};
+use polosa_raster::{Depth, MAX_SIDE, Sample, StoredDepth, Target, TargetError};
 
-use crate::srgb;
+use crate::draw::View;
 use crate::{Camera, Color, DrawStats, Light, Renderer, Style, World};
+use crate::{share, srgb};
 
-/// The most pixels that are drawn at a time, by all threads: 16 MiB of depth, and four times that of sums when there
-/// are several samples.
+/// The most pixels whose depth and sums are kept at a time: 16 MiB of depth, and four times that of sums when there are
+/// several samples.
 const BAND: usize = 1 << 22;
 
-/// Pictures of fewer pixels are drawn sooner than a thread is started.
-const WORTH_A_THREAD: usize = 1 << 17;
-
-/// Every thread prepares all triangles anew, so that more than a few gain little.
-const MOST_THREADS: usize = 8;
+/// Bands are so many rows or a multiple of it, those of a frame's tiles, so that no tile is drawn for two of them.
+const TILE: usize = 64;
 
 /// How many samples a pixel has, on a regular grid. They are averaged in linear light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -68,8 +64,8 @@ pub struct PictureSettings {
     pub distances: bool,
     /// Whether to keep the triangle at each pixel.
     pub ids: bool,
-    /// Threads that draw, 256 at most and no more than the picture has rows; no number of them changes a bit.
-    /// `None`: as many as the machine runs at once, but no more than a picture of this size is worth.
+    /// Threads that draw, 256 at most; no number of them changes a bit. `None`: as many as the renderer has. If it has
+    /// another number, its memory is of no use to the picture.
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -147,30 +143,37 @@ impl Picture {
             ids: settings.ids.then(|| vec![0; size]),
             stats: DrawStats::default(),
         };
-        let scene = Scene { world, camera, light, style, settings };
-        let threads = settings.threads.map_or_else(|| worthwhile_threads(size), NonZeroUsize::get);
-        let threads = threads.min(256).min(height as usize);
-        let rows = (BAND / threads / width as usize).clamp(1, (height as usize).div_ceil(threads));
-        // Bands are dealt out in turn: neighbours, which cost much the same, go to different threads.
-        let mut hands: Vec<Vec<Band<'_>>> = (0..threads).map(|_| Vec::new()).collect();
-        for (number, band) in picture.bands(rows).into_iter().enumerate() {
-            hands[number % threads].push(band);
-        }
-        let draw = |renderer: &mut Renderer, bands: Vec<Band<'_>>| {
-            let mut depth = vec![0.0; width as usize * rows];
-            let draws = bands.into_iter().map(|band| band.draw(renderer, &scene, &mut depth));
-            draws.reduce(|all, one| all.and(one)).unwrap_or(Ok(DrawStats::default()))
+        let view = View { world, camera, light, style };
+        let mut other = None;
+        let renderer = match settings.threads.map(|threads| threads.get().min(256)) {
+            Some(threads) if threads != renderer.threads() => other.insert(Renderer::with_threads(threads)),
+            _ => renderer,
         };
-        let first = hands.swap_remove(0);
-        let stats = thread::scope(|scope| {
-            let start = |bands| scope.spawn(|| draw(&mut Renderer::new(), bands));
-            let others: Vec<_> = hands.into_iter().filter(|bands| !bands.is_empty()).map(start).collect();
-            let first = draw(renderer, first);
-            let joined =
-                others.into_iter().map(|other| other.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            joined.fold(first, |all, one| one.and(all))
-        });
-        picture.stats = stats?;
+        renderer.forget_timings();
+        if let Some(ids) = &mut picture.ids {
+            let mut target = Target::new(ids, Depth::None, width, height, width as usize)?;
+            let style = Style { sample: Sample::CENTER, ..*style };
+            renderer.frame_ids(world, camera, &style, &mut target)?;
+        }
+        let several = settings.samples != Samples::One;
+        let with_depth = settings.distances || settings.background.is_none() || renderer.needs_depth(world);
+        let rows = if several || with_depth {
+            (BAND / width as usize / TILE * TILE).min(height as usize)
+        } else {
+            height as usize
+        };
+        let length = width as usize * rows;
+        let mut work = Work {
+            settings,
+            depth: with_depth.then(|| vec![0.0; length]),
+            sums: vec![[0.0; 4]; if several { length } else { 0 }],
+            set_up: None,
+            stats: DrawStats::default(),
+        };
+        for band in picture.bands(rows) {
+            work.band(renderer, &view, band)?;
+        }
+        picture.stats = work.stats;
         Ok(picture)
     }
 
@@ -180,7 +183,6 @@ impl Picture {
         let length = self.width as usize * rows;
         let mut alpha = self.alpha.as_mut().map(|alpha| alpha.chunks_mut(length));
         let mut distances = self.distances.as_mut().map(|distances| distances.chunks_mut(length));
-        let mut ids = self.ids.as_mut().map(|ids| ids.chunks_mut(length));
         let firsts = (0..self.height).step_by(rows);
         self.pixels
             .chunks_mut(length)
@@ -191,27 +193,9 @@ impl Picture {
                 pixels,
                 alpha: alpha.as_mut().and_then(Iterator::next),
                 distances: distances.as_mut().and_then(Iterator::next),
-                ids: ids.as_mut().and_then(Iterator::next),
             })
             .collect()
     }
-}
-
-/// How many threads a picture of so many pixels is drawn by when nobody says so.
-fn worthwhile_threads(pixels: usize) -> usize {
-    if pixels < WORTH_A_THREAD {
-        return 1;
-    }
-    thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS)
-}
-
-/// What is drawn, and how.
-struct Scene<'a> {
-    world: &'a World,
-    camera: &'a Camera,
-    light: &'a Light,
-    style: &'a Style,
-    settings: &'a PictureSettings,
 }
 
 /// Some rows of a picture.
@@ -221,75 +205,102 @@ struct Band<'a> {
     pixels: &'a mut [u32],
     alpha: Option<&'a mut [u8]>,
     distances: Option<&'a mut [f32]>,
-    ids: Option<&'a mut [u32]>,
 }
 
-impl Band<'_> {
-    /// Draws the band; what became of the whole scene's triangles. `depth` is long enough for its rows.
-    fn draw(
-        self,
-        renderer: &mut Renderer,
-        scene: &Scene<'_>,
-        depth: &mut [f32],
-    ) -> Result<DrawStats, TargetError> {
-        let Scene { world, camera, light, style, settings } = *scene;
-        let depth = &mut depth[..self.pixels.len()];
-        if let Some(ids) = self.ids {
-            let mut target = cleared(ids, depth, self.size, &self.rows, 0)?;
-            renderer.draw_ids(world, camera, style, &mut target);
-        }
-        let clear = settings.background.map_or(0, Color::to_u32);
-        // The centre comes last, so that its depth is there for the distances.
-        let several = settings.samples != Samples::One;
-        let mut sums = vec![[0.0_f32; 4]; if several { self.pixels.len() } else { 0 }];
-        let grid = settings.samples.grid().filter(|_| several);
-        let centre = core::iter::once(Sample::CENTER).filter(|_| !several || settings.distances);
-        let mut stats = DrawStats::default();
-        for (sample, summed) in grid.map(|sample| (sample, true)).chain(centre.map(|sample| (sample, false)))
-        {
-            let mut target = cleared(self.pixels, depth, self.size, &self.rows, clear)?;
-            stats = renderer.draw(world, camera, light, &Style { sample, ..*style }, &mut target);
-            if summed {
-                add_sample(&mut sums, self.pixels, depth, settings.background.is_some());
+/// What is needed for filling bands.
+struct Work<'a> {
+    settings: &'a PictureSettings,
+    /// Of one band, if anybody asks for it.
+    depth: Option<Vec<f32>>,
+    /// Light and count of the samples of one band, if there are several.
+    sums: Vec<[f32; 4]>,
+    /// The sample that the renderer's frame is of, and what became of its triangles.
+    set_up: Option<(Sample, DrawStats)>,
+    /// What became of the whole scene's triangles, at the last sample.
+    stats: DrawStats,
+}
+
+impl Work<'_> {
+    /// Fills a band.
+    fn band(&mut self, renderer: &mut Renderer, view: &View<'_>, band: Band<'_>) -> Result<(), TargetError> {
+        let threads = renderer.threads();
+        let PictureSettings { background, samples, distances, .. } = *self.settings;
+        let length = band.pixels.len();
+        let several = samples != Samples::One;
+        if several {
+            share::pieces(threads, &mut self.sums[..length], &|_, sums| sums.fill([0.0; 4]));
+            for sample in samples.grid() {
+                self.sample(renderer, view, sample, &band.rows, band.size, band.pixels)?;
+                let depth = self.depth.as_deref().filter(|_| background.is_none());
+                let pixels = &*band.pixels;
+                share::pieces(threads, &mut self.sums[..length], &|first, sums| {
+                    add_sample(sums, &pixels[first..], depth.map(|depth| &depth[first..]));
+                });
             }
+        }
+        // The centre comes last, so that its depth is there for the distances.
+        if !several || distances {
+            self.sample(renderer, view, Sample::CENTER, &band.rows, band.size, band.pixels)?;
         }
         if several {
-            resolve(&sums, self.pixels);
+            let sums = &self.sums;
+            share::pieces(threads, band.pixels, &|first, pixels| resolve(&sums[first..], pixels));
         }
-        if let Some(alpha) = self.alpha {
-            let samples = f32::from(settings.samples.side() * settings.samples.side());
-            for (k, alpha) in alpha.iter_mut().enumerate() {
-                let covered =
-                    if several { sums[k][3] / samples } else { f32::from(u8::from(depth[k] > 0.0)) };
-                *alpha = (covered * 255.0 + 0.5) as u8;
-            }
+        let (sums, depth) = (&self.sums, self.depth.as_deref().unwrap_or_default());
+        if let Some(alpha) = band.alpha {
+            let samples = f32::from(samples.side() * samples.side());
+            share::pieces(threads, alpha, &|first, alpha| {
+                for (k, alpha) in (first..).zip(alpha) {
+                    let covered =
+                        if several { sums[k][3] / samples } else { f32::from(u8::from(depth[k] > 0.0)) };
+                    *alpha = (covered * 255.0 + 0.5) as u8;
+                }
+            });
         }
-        if let Some(distances) = self.distances {
-            for (distance, &depth) in distances.iter_mut().zip(depth.iter()) {
-                *distance = if depth > 0.0 { camera.distance(depth) as f32 } else { f32::INFINITY };
-            }
+        if let Some(distances) = band.distances {
+            share::pieces(threads, distances, &|first, distances| {
+                for (distance, &depth) in distances.iter_mut().zip(&depth[first..]) {
+                    *distance = if depth > 0.0 { view.camera.distance(depth) as f32 } else { f32::INFINITY };
+                }
+            });
         }
-        Ok(stats)
+        Ok(())
+    }
+
+    /// Draws one sample of a band's pixels.
+    fn sample(
+        &mut self,
+        renderer: &mut Renderer,
+        view: &View<'_>,
+        sample: Sample,
+        rows: &Range<u32>,
+        size: [u32; 2],
+        pixels: &mut [u32],
+    ) -> Result<(), TargetError> {
+        let style = Style { sample, ..*view.style };
+        let view = View { style: &style, ..*view };
+        self.stats = match self.set_up {
+            Some((same, stats)) if same == sample => stats,
+            _ => renderer.set_up(&view, size, self.settings.background, StoredDepth::F32(0.0))?,
+        };
+        self.set_up = Some((sample, self.stats));
+        let depth = match &mut self.depth {
+            Some(depth) => Depth::F32(depth),
+            None => Depth::None,
+        };
+        let mut target = Target::band(pixels, depth, size, size[0] as usize, rows.clone())?;
+        self.stats += renderer.fill(&view, &mut target)?;
+        // Every band counts all lines.
+        self.stats += renderer.lines(&view, &mut target);
+        Ok(())
     }
 }
 
-/// A cleared target over some rows of a picture.
-fn cleared<'a>(
-    color: &'a mut [u32],
-    depth: &'a mut [f32],
-    size: [u32; 2],
-    rows: &Range<u32>,
-    clear: u32,
-) -> Result<Target<'a, u32>, TargetError> {
-    let mut target = Target::band(color, Depth::F32(depth), size, size[0] as usize, rows.clone())?;
-    target.clear(clear, DepthTest::Greater);
-    Ok(target)
-}
-
-/// Adds the light of one sample, and whether it counts: with a background all do, without one what is covered.
-fn add_sample(sums: &mut [[f32; 4]], color: &[u32], depth: &[f32], background: bool) {
-    for ((sum, &pixel), &depth) in sums.iter_mut().zip(color).zip(depth) {
-        if background || depth > 0.0 {
+/// Adds the light of one sample, and whether it counts: with a background all do, without one what is covered, which
+/// depth tells.
+fn add_sample(sums: &mut [[f32; 4]], color: &[u32], depth: Option<&[f32]>) {
+    for (k, (sum, &pixel)) in sums.iter_mut().zip(color).enumerate() {
+        if depth.is_none_or(|depth| depth[k] > 0.0) {
             let Color { r, g, b } = Color::from_u32(pixel);
             for (sum, code) in sum.iter_mut().zip([r, g, b]) {
                 *sum += srgb::decode(code);

@@ -1,0 +1,98 @@
+//! A surface: what one object's triangles are coloured by.
+
+use polosa_raster::{Columns, Vertices};
+
+use super::View;
+use crate::light::Lighting;
+use crate::shades::Shades;
+use crate::{Color, Colors, Mesh, Object};
+
+/// An object's surface, as one view shows it.
+pub(super) struct Surface<'a> {
+    pub(super) object: &'a Object,
+    pub(super) mesh: &'a Mesh,
+    /// Model to clip space.
+    pub(super) matrix: Columns,
+    pub(super) lighting: Lighting,
+    pub(super) paint: Paint<'a>,
+}
+
+/// Where a surface's colours come from.
+#[derive(Clone, Copy)]
+pub(super) enum Paint<'a> {
+    /// One for all triangles.
+    One(Color),
+    /// One for each.
+    Face(&'a [Color]),
+    /// One for each vertex, blended in between.
+    Vertex(&'a [Color]),
+}
+
+impl<'a> Paint<'a> {
+    /// An object's colour goes before its mesh's, and those before the style's.
+    pub(super) fn of(view: &View<'_>, object: &Object, mesh: &'a Mesh) -> Self {
+        match (object.color, mesh.colors()) {
+            (Some(color), _) => Self::One(color),
+            (None, Colors::None) => Self::One(view.style.color),
+            (None, Colors::Face(colors)) => Self::Face(colors),
+            (None, Colors::Vertex(colors)) => Self::Vertex(colors),
+        }
+    }
+
+    pub(super) const fn is_blended(&self) -> bool {
+        matches!(self, Self::Vertex(_))
+    }
+}
+
+/// Something that takes the value of each triangle of a surface.
+pub(super) trait Take<R> {
+    fn take(self, value: impl Fn(usize) -> u32 + Sync) -> R;
+}
+
+/// A table of shades is made for surfaces of at least so many triangles; for fewer the formula is sooner done.
+const WORTH_SHADES: usize = 2_000;
+
+impl<'a> Surface<'a> {
+    pub(super) fn new(view: &View<'_>, object: &'a Object, mesh: &'a Mesh) -> Self {
+        Self {
+            object,
+            mesh,
+            matrix: view.camera.clip_from_model(&object.placement),
+            lighting: Lighting::new(view.light, view.style.shading, view.camera, &object.placement),
+            paint: Paint::of(view, object, mesh),
+        }
+    }
+
+    pub(super) fn vertices(&self) -> Vertices<'_> {
+        Vertices::Model { matrix: &self.matrix, positions: self.mesh.positions() }
+    }
+
+    /// Hands over how each triangle's pixel is found. `blended` is asked where that is no one colour.
+    ///
+    /// `shades` keeps a table from one surface to the next of the same colour.
+    pub(super) fn give<R>(
+        &self,
+        shades: &mut Option<Shades>,
+        to: impl Take<R>,
+        blended: impl Fn(usize) -> u32 + Sync,
+    ) -> R {
+        let (positions, triangles) = (self.mesh.positions(), self.mesh.triangles());
+        let lighting = self.lighting;
+        let intensity =
+            |index: usize| lighting.intensity(triangles[index].map(|vertex| positions[vertex as usize]));
+        match self.paint {
+            Paint::One(color) => {
+                if shades.as_ref().is_none_or(|shades| shades.color() != color) {
+                    if triangles.len() < WORTH_SHADES {
+                        return to.take(|index| Lighting::pixel(color, intensity(index)));
+                    }
+                    *shades = None;
+                }
+                let shades = shades.get_or_insert_with(|| Shades::new(color));
+                to.take(|index| shades.pixel(intensity(index)))
+            }
+            Paint::Face(colors) => to.take(|index| Lighting::pixel(colors[index], intensity(index))),
+            Paint::Vertex(_) => to.take(blended),
+        }
+    }
+}
