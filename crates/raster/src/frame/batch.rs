@@ -278,7 +278,7 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
         } else {
             let extent = [x0[lane], y0[lane], x1[lane], y1[lane]].map(|v| v.cast_unsigned());
             let record = prepared.record(lane, extent, job.draw);
-            small(job, record, extent, value(first + lane), segment);
+            small(job, &record, extent, value(first + lane), segment);
         }
     }
 }
@@ -309,11 +309,10 @@ impl Prepared {
 
 /// Bins a triangle that was prepared in lanes.
 #[inline]
-fn small(job: &Job<'_>, record: Small, [x0, y0, x1, y1]: [u32; 4], value: u32, segment: &mut Segment) {
-    segment.small.push(record);
+fn small(job: &Job<'_>, record: &Small, [x0, y0, x1, y1]: [u32; 4], value: u32, segment: &mut Segment) {
     for row in y0 / SIDE..=(y1 - 1) / SIDE {
         for column in x0 / SIDE..=(x1 - 1) / SIDE {
-            segment.bin_small((row * job.columns + column) as usize, record.most, value);
+            segment.bins[(row * job.columns + column) as usize].push_small(record, value);
         }
     }
 }

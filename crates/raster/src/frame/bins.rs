@@ -4,12 +4,12 @@
 //!   tile (3, 1):  fragment  fragment  triangle  fragment  …       12 bytes each
 //!                                        │
 //!                                        ▼
-//!                 prepared triangles, each once for all its tiles
+//!                 small triangles, prepared, a copy for each tile     large ones, once for all
 //! ```
 //!
 //! A triangle of a few pixels is settled before it is binned: its *fragments* go to the tile. Others are prepared
-//! once and named by every tile that they may touch, with their greatest depth there, so that a tile can pass over
-//! what is hidden without looking at it.
+//! and named by every tile that they may touch, with their greatest depth there, so that a tile can pass over what
+//! is hidden without looking at it. A tile reads its lists from front to back, as memory likes it.
 
 use alloc::vec::Vec;
 
@@ -141,8 +141,26 @@ pub(crate) struct Large {
 #[derive(Clone, Debug)]
 pub(crate) struct Bin {
     pub(crate) entries: Vec<Entry>,
+    pub(crate) small: Vec<Small>,
     /// No pixel of the tile ends up with less than this depth.
     pub(crate) bound: f32,
+}
+
+impl Bin {
+    const EMPTY: Self = Self { entries: Vec::new(), small: Vec::new(), bound: NO_BOUND };
+
+    /// Adds a small triangle.
+    #[inline]
+    pub(crate) fn push_small(&mut self, small: &Small, value: u32) {
+        self.entries.push(Entry { key: SMALL | index(self.small.len()), z: small.most, value });
+        self.small.push(*small);
+    }
+
+    /// Names a large triangle of the segment.
+    #[inline]
+    pub(crate) fn push_large(&mut self, large: usize, z: f32, value: u32) {
+        self.entries.push(Entry { key: LARGE | index(large), z, value });
+    }
 }
 
 /// Below every depth.
@@ -152,7 +170,6 @@ pub(crate) const NO_BOUND: f32 = -1.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segment {
     pub(crate) bins: Vec<Bin>,
-    pub(crate) small: Vec<Small>,
     pub(crate) large: Vec<Large>,
 }
 
@@ -162,25 +179,11 @@ impl Segment {
         self.bins.truncate(tiles);
         for bin in &mut self.bins {
             bin.entries.clear();
+            bin.small.clear();
             bin.bound = NO_BOUND;
         }
-        self.bins.resize_with(tiles, || Bin { entries: Vec::new(), bound: NO_BOUND });
-        self.small.clear();
+        self.bins.resize_with(tiles, || Bin::EMPTY);
         self.large.clear();
-    }
-
-    /// Names a small triangle in a tile; it must be the last that was added to `small`.
-    #[inline]
-    pub(crate) fn bin_small(&mut self, tile: usize, z: f32, value: u32) {
-        let key = SMALL | index(self.small.len() - 1);
-        self.bins[tile].entries.push(Entry { key, z, value });
-    }
-
-    /// Names a large triangle in a tile; it must be the last that was added to `large`.
-    #[inline]
-    pub(crate) fn bin_large(&mut self, tile: usize, z: f32, value: u32) {
-        let key = LARGE | index(self.large.len() - 1);
-        self.bins[tile].entries.push(Entry { key, z, value });
     }
 }
 

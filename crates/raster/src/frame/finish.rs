@@ -6,6 +6,9 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x4, u32x4};
+
 use super::bins::{AREA, BLOCK, SIDE};
 use super::kernel::Tile;
 use super::tile::{Scene, Turn};
@@ -33,6 +36,9 @@ pub(crate) struct Hand {
     /// Whether anything was drawn in a tile.
     live: Vec<bool>,
     turns: Vec<Turn>,
+    /// A row of what pixels hold where nothing was drawn.
+    no_depths: Vec<f32>,
+    no_values: Vec<u32>,
 }
 
 impl Frame {
@@ -43,7 +49,7 @@ impl Frame {
     ///
     /// When the target is of a picture of another size, or keeps depth in another format than the frame.
     pub fn finish(&mut self, target: &mut Target<'_, u32>) -> Result<(), TargetError> {
-        self.resolve(target, |sampled| sampled.value)
+        self.write(target, |_, values, _, pixels| pixels.copy_from_slice(values))
     }
 
     /// The same, with a pixel made of each settled value. `pixel` is cloned for each row of tiles, and asked from left
@@ -55,7 +61,21 @@ impl Frame {
     pub fn resolve<P: Copy + Send>(
         &mut self,
         target: &mut Target<'_, P>,
-        pixel: impl FnMut(Sampled) -> P + Clone + Sync,
+        mut pixel: impl FnMut(Sampled) -> P + Clone + Sync,
+    ) -> Result<(), TargetError> {
+        self.write(target, move |[x, y], values, depths, pixels| {
+            for (x, (to, (&value, &depth))) in (x..).zip(pixels.iter_mut().zip(values.iter().zip(depths))) {
+                *to = pixel(Sampled { x, y, value, depth });
+            }
+        })
+    }
+
+    /// Writes the picture: `put` makes up to four pixels, from the first one's place, values and depths; it is cloned
+    /// for each row of tiles.
+    fn write<P: Copy + Send>(
+        &mut self,
+        target: &mut Target<'_, P>,
+        put: impl FnMut([u32; 2], &[u32], &[f32], &mut [P]) + Clone + Sync,
     ) -> Result<(), TargetError> {
         if self.size != [target.width, target.height] {
             return Err(TargetError::Frame { frame: self.size, target: [target.width, target.height] });
@@ -74,7 +94,7 @@ impl Frame {
         let draw = |band: Band<'_, P>, hand: &mut Hand| {
             fearless_simd::dispatch!(level, simd => {
                 hand.draw(simd, &scene, band.row);
-                hand.write(&scene, band, pixel.clone());
+                hand.write(simd, &scene, band, put.clone());
             });
         };
         #[cfg(feature = "parallel")]
@@ -99,59 +119,98 @@ impl Frame {
 impl Hand {
     /// Draws the tiles of a band.
     #[inline(always)]
-    fn draw<L: fearless_simd::Simd>(&mut self, simd: L, scene: &Scene<'_>, row: u32) {
+    fn draw<L: Simd>(&mut self, simd: L, scene: &Scene<'_>, row: u32) {
         let columns = scene.frame.tiles[0] as usize;
         self.depths.resize(columns, [0.0; AREA]);
         self.values.resize(columns, [0; AREA]);
         self.live.clear();
+        self.no_values.clear();
+        self.no_values.resize(columns * SIDE as usize, scene.frame.value);
+        self.no_depths.clear();
+        self.no_depths.resize(columns * SIDE as usize, scene.frame.cleared());
         for (column, (depths, values)) in (0..).zip(self.depths.iter_mut().zip(&mut self.values)) {
             let live = scene.tile(simd, [column, row], &mut Tile { depths, values }, &mut self.turns);
             self.live.push(live);
         }
     }
 
-    /// Writes the rows of a band.
+    /// Writes the rows of a band, sixteen pixels at a time: a store of a whole cache line need not fetch what it
+    /// overwrites, which halves the traffic.
     #[inline(always)]
-    fn write<P: Copy>(&self, scene: &Scene<'_>, band: Band<'_, P>, mut pixel: impl FnMut(Sampled) -> P) {
-        let empty = (scene.frame.value, scene.frame.cleared());
+    fn write<L: Simd, P: Copy>(
+        &self,
+        simd: L,
+        scene: &Scene<'_>,
+        band: Band<'_, P>,
+        mut put: impl FnMut([u32; 2], &[u32], &[f32], &mut [P]),
+    ) {
         let width = scene.frame.size[0] as usize;
         let Band { rows, stride, color, mut depth, .. } = band;
         for (k, y) in rows.enumerate() {
             let line = k * stride..k * stride + width;
             let row = Row::new(y);
-            let pieces = color[line.clone()].chunks_mut(SIDE as usize);
-            for ((x, tile), piece) in (0..).step_by(SIDE as usize).zip(0..).zip(pieces) {
-                if self.live[tile] {
-                    let (values, depths) = (row.of(&self.values[tile]), row.of(&self.depths[tile]));
-                    let make = |x: u32, value: u32, depth: f32| pixel(Sampled { x, y, value, depth });
-                    row.put(x, piece, values, depths, make);
-                } else {
-                    for (x, to) in (x..).zip(piece) {
-                        *to = pixel(Sampled { x, y, value: empty.0, depth: empty.1 });
-                    }
+            for (live, run) in self.runs(width) {
+                let pixels = &mut color[line.start + run.start..line.start + run.end];
+                if !live {
+                    let (values, depths) = (&self.no_values[..run.len()], &self.no_depths[..run.len()]);
+                    put([run.start as u32, y], values, depths, pixels);
+                    continue;
                 }
+                row.write(run, pixels, |x, to| {
+                    let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
+                    let values = row.values(simd, &self.values[tile], group);
+                    let depths = row.depths(simd, &self.depths[tile], group);
+                    put([x as u32, y], &values[..to.len()], &depths[..to.len()], to);
+                });
             }
             match &mut depth {
                 Depth::None => {}
-                Depth::F32(depth) => self.write_depth(&row, &mut depth[line], empty.1, |z| z),
-                Depth::U16(depth) => self.write_depth(&row, &mut depth[line], empty.1, whole),
+                Depth::F32(depth) => {
+                    self.write_depth(simd, &row, &mut depth[line], |depths, to| to.copy_from_slice(depths));
+                }
+                Depth::U16(depth) => self.write_depth(simd, &row, &mut depth[line], |depths, to| {
+                    to.iter_mut().zip(depths).for_each(|(to, &z)| *to = whole(z));
+                }),
             }
         }
     }
 
     /// Writes the depths of a row, as they are stored.
     #[inline(always)]
-    fn write_depth<D: Copy>(&self, row: &Row, line: &mut [D], empty: f32, stored: impl Fn(f32) -> D) {
-        for (tile, piece) in line.chunks_mut(SIDE as usize).enumerate() {
-            if self.live[tile] {
-                let depths = row.of(&self.depths[tile]);
-                row.put(0, piece, depths, depths, |_, depth, _| stored(depth));
-            } else {
-                piece.fill(stored(empty));
+    fn write_depth<L: Simd, D: Copy>(
+        &self,
+        simd: L,
+        row: &Row,
+        line: &mut [D],
+        store: impl Fn(&[f32], &mut [D]),
+    ) {
+        for (live, run) in self.runs(line.len()) {
+            let to = &mut line[run.clone()];
+            if !live {
+                store(&self.no_depths[..run.len()], to);
+                continue;
             }
+            row.write(run, to, |x, to| {
+                let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
+                let depths = row.depths(simd, &self.depths[tile], group);
+                store(&depths[..to.len()], to);
+            });
         }
     }
+
+    /// The pixels of a row in runs of tiles in which something was drawn, or nothing.
+    fn runs(&self, width: usize) -> impl Iterator<Item = (bool, Range<usize>)> {
+        let mut tile = 0;
+        self.live.chunk_by(|a, b| a == b).map(move |run| {
+            let first = tile * SIDE as usize;
+            tile += run.len();
+            (run[0], first..width.min(tile * SIDE as usize))
+        })
+    }
 }
+
+/// Pixels that are written at a time.
+const LINE: usize = 16;
 
 /// Where a row of pixels lies in a tile's memory: four pixels in each block of a row of blocks.
 struct Row {
@@ -165,38 +224,49 @@ impl Row {
         Self { first: (block * (SIDE / BLOCK)) as usize, four: four as usize }
     }
 
-    /// The row of blocks.
+    /// Writes a run of pixels, a line at a time; `put` gets the column of its first pixel.
     #[inline(always)]
-    fn of<'a, T>(&self, tile: &'a [T; AREA]) -> &'a [[T; 16]] {
-        &tile.as_chunks::<16>().0[self.first..self.first + (SIDE / BLOCK) as usize]
+    fn write<P>(&self, run: Range<usize>, pixels: &mut [P], mut put: impl FnMut(usize, &mut [P])) {
+        let (lines, rest) = pixels.as_chunks_mut::<LINE>();
+        let mut x = run.start;
+        for to in lines {
+            put(x, to);
+            x += LINE;
+        }
+        if !rest.is_empty() {
+            put(x, rest);
+        }
     }
 
-    /// Makes the pixels from x on of what the blocks hold.
+    /// Four blocks.
     #[inline(always)]
-    fn put<V: Copy, D: Copy, P>(
-        &self,
-        x: u32,
-        to: &mut [P],
-        values: &[[V; 16]],
-        depths: &[[D; 16]],
-        mut make: impl FnMut(u32, V, D) -> P,
-    ) {
-        let (fours, rest) = to.as_chunks_mut::<4>();
-        let mut x = x;
-        let count = fours.len();
-        for ((to, values), depths) in fours.iter_mut().zip(values).zip(depths) {
-            let v = values.as_chunks::<4>().0[self.four % 4];
-            let d = depths.as_chunks::<4>().0[self.four % 4];
-            *to = [make(x, v[0], d[0]), make(x + 1, v[1], d[1]), make(x + 2, v[2], d[2]), make(x + 3, v[3], d[3])];
-            x += BLOCK;
-        }
-        if let (Some(values), Some(depths)) = (values.get(count), depths.get(count)) {
-            let v = values.as_chunks::<4>().0[self.four % 4];
-            let d = depths.as_chunks::<4>().0[self.four % 4];
-            for (x, ((to, v), d)) in (x..).zip(rest.iter_mut().zip(v).zip(d)) {
-                *to = make(x, v, d);
-            }
-        }
+    fn of<'a, T>(&self, tile: &'a [T; AREA], group: usize) -> &'a [[T; 16]; 4] {
+        let groups = tile.as_chunks::<16>().0.as_chunks::<4>().0;
+        &groups[(self.first / 4 + group) % groups.len()]
+    }
+
+    /// Sixteen values.
+    #[inline(always)]
+    fn values<L: Simd>(&self, simd: L, tile: &[u32; AREA], group: usize) -> [u32; LINE] {
+        let [a, b, c, d] = self.of(tile, group);
+        let [a, b, c, d] = [self.four(a), self.four(b), self.four(c), self.four(d)];
+        let low = u32x4::load_array_ref(simd, a).combine(u32x4::load_array_ref(simd, b));
+        *low.combine(u32x4::load_array_ref(simd, c).combine(u32x4::load_array_ref(simd, d)))
+    }
+
+    /// Sixteen depths.
+    #[inline(always)]
+    fn depths<L: Simd>(&self, simd: L, tile: &[f32; AREA], group: usize) -> [f32; LINE] {
+        let [a, b, c, d] = self.of(tile, group);
+        let [a, b, c, d] = [self.four(a), self.four(b), self.four(c), self.four(d)];
+        let low = f32x4::load_array_ref(simd, a).combine(f32x4::load_array_ref(simd, b));
+        *low.combine(f32x4::load_array_ref(simd, c).combine(f32x4::load_array_ref(simd, d)))
+    }
+
+    /// The row's pixels in a block.
+    #[inline(always)]
+    fn four<'a, T>(&self, block: &'a [T; 16]) -> &'a [T; 4] {
+        &block.as_chunks::<4>().0[self.four % 4]
     }
 }
 

@@ -59,7 +59,8 @@ pub(crate) fn bin(job: &Job<'_>, triangle: &Triangle, value: u32, segment: &mut 
                 let bound = &mut segment.bins[tile].bound;
                 *bound = bound.max(least);
             }
-            segment.bin_large(tile, most, value);
+            let large = segment.large.len() - 1;
+            segment.bins[tile].push_large(large, most, value);
         }
     }
 }

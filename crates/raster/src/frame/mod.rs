@@ -287,7 +287,8 @@ impl Frame {
     fn segments(&mut self, threads: usize, triangles: usize) -> (&mut [Segment], &[Snapped]) {
         // Clipping makes seven pieces of a triangle at most.
         let room = |segment: &Segment| {
-            segment.small.len().max(segment.large.len()) + 7 * triangles.div_ceil(threads) < RECORDS
+            let fullest = segment.bins.iter().map(|bin| bin.small.len()).max().unwrap_or(0);
+            segment.large.len().max(fullest) + 7 * triangles < RECORDS
         };
         let goes_on = threads == 1 && self.used > 0 && room(&self.segments[self.used - 1]);
         let first = if goes_on { self.used - 1 } else { self.used };

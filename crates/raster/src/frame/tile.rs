@@ -80,7 +80,7 @@ impl<'a> Scene<'a> {
         let bound = self.bound(index);
         for segment in self.segments {
             for entry in &segment.bins[index].entries {
-                self.entry(simd, place, tile, segment, entry, bound, &test);
+                self.entry(simd, place, tile, (segment, index), entry, bound, &test);
             }
         }
     }
@@ -101,7 +101,7 @@ impl<'a> Scene<'a> {
             for entry in &segment.bins[index].entries {
                 let draw = match (entry.as_fragment(), entry.kind()) {
                     (Some((_, draw)), _) => draw,
-                    (None, Kind::Small(at)) => segment.small[at].draw(),
+                    (None, Kind::Small(at)) => segment.bins[index].small[at].draw(),
                     (None, Kind::Large(at)) => segment.large[at].draw,
                 };
                 let sequence = u32::try_from(turns.len()).unwrap_or(u32::MAX);
@@ -113,7 +113,7 @@ impl<'a> Scene<'a> {
         let bound = self.bound(index);
         for turn in &*turns {
             let segment = &self.segments[turn.segment as usize];
-            self.entry(simd, place, tile, segment, &turn.entry, bound, &test);
+            self.entry(simd, place, tile, (segment, index), &turn.entry, bound, &test);
         }
     }
 
@@ -124,7 +124,7 @@ impl<'a> Scene<'a> {
         simd: L,
         place: [u32; 2],
         tile: &mut Tile<'_>,
-        segment: &Segment,
+        (segment, index): (&Segment, usize),
         entry: &Entry,
         bound: f32,
         test: &impl Fn(&Drawn) -> T,
@@ -140,7 +140,7 @@ impl<'a> Scene<'a> {
         }
         match entry.kind() {
             Kind::Small(at) => {
-                let small = &segment.small[at];
+                let small = &segment.bins[index].small[at];
                 let test = test(&draws[small.draw() as usize]);
                 if !test.is_hidden(entry.z, bound) {
                     tile.small(simd, place.map(|k| k * SIDE), small, entry.value, test);
