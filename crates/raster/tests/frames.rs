@@ -286,8 +286,7 @@ fn positions_are_transformed_as_transform_does() {
     let size = [200, 120];
     for round in 0..30 {
         let matrix: Columns = [(); 4].map(|()| [(); 4].map(|()| r.real(-1.0, 1.0) as f32));
-        let positions: Vec<[f32; 3]> =
-            (0..900).map(|_| [(); 3].map(|()| r.real(-2.0, 2.0) as f32)).collect();
+        let positions: Vec<[f32; 3]> = (0..900).map(|_| [(); 3].map(|()| r.real(-2.0, 2.0) as f32)).collect();
         let mut vertices = vec![[0.0; 4]; positions.len()];
         transform(&matrix, &positions, &mut vertices);
         let triangles: Vec<[u32; 3]> = (0..300).map(|_| [(); 3].map(|()| r.index(900) as u32)).collect();

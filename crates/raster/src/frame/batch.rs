@@ -16,7 +16,7 @@ use super::bins::{Entry, SIDE, Segment, Small, place};
 use super::each::{four, three, two};
 use super::large;
 use super::vertices::{LANES, MISSING, PLAIN, Snapped, Snapper, UNSURE, Vertices, lanes};
-use super::Triangles;
+use super::{Triangles, Value};
 use crate::depth::{coefficients, formula};
 use crate::setup::Setup;
 use crate::{Clip, Cull, DepthTest, Rect, State, Stats};
@@ -58,9 +58,7 @@ impl<'a> Job<'a> {
     fn indices(&self, triangle: usize) -> [u32; 3] {
         match self.triangles {
             Triangles::Indexed(triangles) => triangles.get(triangle).copied().unwrap_or([u32::MAX; 3]),
-            Triangles::Consecutive => {
-                [0, 1, 2].map(|k| u32::try_from(3 * triangle + k).unwrap_or(u32::MAX))
-            }
+            Triangles::Consecutive => [0, 1, 2].map(|k| u32::try_from(3 * triangle + k).unwrap_or(u32::MAX)),
         }
     }
 
@@ -77,7 +75,10 @@ impl<'a> Job<'a> {
                 three(
                     #[inline(always)]
                     |c| {
-                        let pair = four(#[inline(always)] |k| [vertex(snapped, some[k][c]), vertex(snapped, some[4 + k][c])]);
+                        let pair = four(
+                            #[inline(always)]
+                            |k| [vertex(snapped, some[k][c]), vertex(snapped, some[4 + k][c])],
+                        );
                         lanes(simd, pair)
                     },
                 )
@@ -90,7 +91,10 @@ impl<'a> Job<'a> {
                 three(
                     #[inline(always)]
                     |c| {
-                        let pair = four(#[inline(always)] |k| [some[3 * k + c], some[12 + 3 * k + c]]);
+                        let pair = four(
+                            #[inline(always)]
+                            |k| [some[3 * k + c], some[12 + 3 * k + c]],
+                        );
                         self.snapper.lanes(simd, pair)
                     },
                 )
@@ -115,12 +119,12 @@ fn padded(given: &[[u32; 3]]) -> [[u32; 3]; LANES] {
 
 /// Prepares the first eight triangles of a range, or as many as there are, and bins them.
 #[inline(always)]
-pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
+pub(crate) fn bin<L: Simd>(
     simd: L,
     job: &Job<'_>,
     snapped: &[Snapped],
     range: Range<usize>,
-    value: &V,
+    value: &Value<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
@@ -131,14 +135,23 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     stats.submitted += count as u64;
 
     // Boxes, in sub-pixels and in pixels.
-    let [left, top] = two(#[inline(always)] |k| a[k].min(b[k]).min(c[k]));
-    let [right, bottom] = two(#[inline(always)] |k| a[k].max(b[k]).max(c[k]));
+    let [left, top] = two(
+        #[inline(always)]
+        |k| a[k].min(b[k]).min(c[k]),
+    );
+    let [right, bottom] = two(
+        #[inline(always)]
+        |k| a[k].max(b[k]).max(c[k]),
+    );
     let marks = a[3] | b[3] | c[3];
     let fits = (right - left).max(bottom - top).simd_lt(MOST_EXTENT) & marks.simd_eq(PLAIN);
     let [sx, sy] = job.state.sample.sub_pixels();
-    let [x0, y0] = [first_at(left, sx).max(job.clip.x0.cast_signed()), first_at(top, sy).max(job.clip.y0.cast_signed())];
-    let [x1, y1] =
-        [first_at(right, sx).min(job.clip.x1.cast_signed()), first_at(bottom, sy).min(job.clip.y1.cast_signed())];
+    let [x0, y0] =
+        [first_at(left, sx).max(job.clip.x0.cast_signed()), first_at(top, sy).max(job.clip.y0.cast_signed())];
+    let [x1, y1] = [
+        first_at(right, sx).min(job.clip.x1.cast_signed()),
+        first_at(bottom, sy).min(job.clip.y1.cast_signed()),
+    ];
     let samples = x0.simd_lt(x1) & y0.simd_lt(y1);
 
     // Facing. The area is that of the corners as given, positive clockwise.
@@ -170,8 +183,14 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     exchange(&mut keys, &mut z, 0, 1);
     exchange(&mut keys, &mut z, 1, 2);
     exchange(&mut keys, &mut z, 0, 1);
-    let x = three(#[inline(always)] |k| keys[k] & 0xffff);
-    let y = three(#[inline(always)] |k| keys[k] >> 16);
+    let x = three(
+        #[inline(always)]
+        |k| keys[k] & 0xffff,
+    );
+    let y = three(
+        #[inline(always)]
+        |k| keys[k] >> 16,
+    );
 
     // Edges, opposite to each corner, positive inside.
     let turn = ((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0])) >> 31;
@@ -200,10 +219,16 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     );
 
     // c and q, in f64.
-    let rest = two(#[inline(always)] |k| (edges[k] & (SUB_PIXELS - 1)).to_float::<f32x8<L>>().widen());
+    let rest = two(
+        #[inline(always)]
+        |k| (edges[k] & (SUB_PIXELS - 1)).to_float::<f32x8<L>>().widen(),
+    );
     let area = to_f64(area);
     let (anchor_low, anchor_high) = anchor.widen();
-    let others = two(#[inline(always)] |k| others[k].widen());
+    let others = two(
+        #[inline(always)]
+        |k| others[k].widen(),
+    );
     let pixel = f64x4::splat(simd, f64::from(SUB_PIXELS));
     let delta_low = [others[0].0 - anchor_low, others[1].0 - anchor_low];
     let delta_high = [others[0].1 - anchor_high, others[1].1 - anchor_high];
@@ -216,7 +241,10 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
     let (width, height) = (x1 - x0, y1 - y0);
     let tiny = width.max(height).simd_le(WINDOW.cast_signed());
     let tiny_bits = if job.fragments { bits(tiny) & live } else { 0 };
-    let more = two(#[inline(always)] |k| (edges[k] >> 8) - biased[k]);
+    let more = two(
+        #[inline(always)]
+        |k| (edges[k] >> 8) - biased[k],
+    );
     let mut depths = [[0.0; LANES]; (WINDOW * WINDOW) as usize];
     let mut covered = i32x8::splat(simd, 0);
     if tiny_bits != 0 {
@@ -230,15 +258,21 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
                 covered |= !((e[0] | e[1] | e[2]) >> 31) & (1 << at);
                 let e12 = [(e[0] + more[0]).to_float::<f32x8<L>>(), (e[1] + more[1]).to_float()];
                 depths[at as usize] = *formula(c, q, e12).min(most);
-                e = three(#[inline(always)] |k| e[k] + step_x[k]);
+                e = three(
+                    #[inline(always)]
+                    |k| e[k] + step_x[k],
+                );
             }
-            row = three(#[inline(always)] |k| row[k] + step_y[k]);
+            row = three(
+                #[inline(always)]
+                |k| row[k] + step_y[k],
+            );
         }
         // No more than the box, which the picture's sides may have cut.
         let one = i32x8::splat(simd, 1);
         let across = (one << width) - 1;
         let down = ((one << (height << 2)) - 1) & 0x1111;
-        covered &= across * down & tiny.select(i32x8::splat(simd, 0xffff), i32x8::splat(simd, 0));
+        covered &= tiny.select(across * down, i32x8::splat(simd, 0));
     }
     let nothing = tiny_bits & !bits(covered.simd_ne(0));
     let mut todo = (live & !nothing) | scalar;
@@ -250,9 +284,18 @@ pub(crate) fn bin<L: Simd, V: Fn(usize) -> u32>(
 
     let (x0, y0, x1, y1, covered) = (*x0, *y0, *x1, *y1, *covered);
     let prepared = Prepared {
-        e: three(#[inline(always)] |k| *biased[k]),
-        x: three(#[inline(always)] |k| *step_x[k]),
-        y: three(#[inline(always)] |k| *step_y[k]),
+        e: three(
+            #[inline(always)]
+            |k| *biased[k],
+        ),
+        x: three(
+            #[inline(always)]
+            |k| *step_x[k],
+        ),
+        y: three(
+            #[inline(always)]
+            |k| *step_y[k],
+        ),
         more: [*more[0], *more[1]],
         c: *c,
         q: [*q[0], *q[1]],
@@ -319,11 +362,11 @@ fn small(job: &Job<'_>, record: &Small, [x0, y0, x1, y1]: [u32; 4], value: u32, 
 
 /// Lanes that the scalar path prepares, and nothing else in the batch.
 #[inline(never)]
-fn in_scalars<V: Fn(usize) -> u32>(
+fn in_scalars(
     job: &Job<'_>,
     first: usize,
     lanes: u32,
-    value: &V,
+    value: &Value<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
@@ -335,10 +378,10 @@ fn in_scalars<V: Fn(usize) -> u32>(
 
 /// One triangle by the immediate path's set-up, which counts it.
 #[inline(never)]
-fn one_in_scalars<V: Fn(usize) -> u32>(
+fn one_in_scalars(
     job: &Job<'_>,
     triangle: usize,
-    value: &V,
+    value: &Value<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
@@ -360,7 +403,13 @@ fn one_in_scalars<V: Fn(usize) -> u32>(
 #[inline(always)]
 fn most_of<L: Simd>(side: i32x8<L>, chosen: mask32x8<L>) -> u32 {
     let above = |k: i32| (side.simd_gt(k) & chosen).any_true();
-    if above(2) { if above(3) { 4 } else { 3 } } else if above(1) { 2 } else { 1 }
+    if above(2) {
+        if above(3) { 4 } else { 3 }
+    } else if above(1) {
+        2
+    } else {
+        1
+    }
 }
 
 /// The first pixel whose sample lies at or right of (below) a place.

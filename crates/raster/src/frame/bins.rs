@@ -28,7 +28,7 @@ pub(crate) const BLOCK: u32 = 4;
 pub(crate) const fn place(x: u32, y: u32) -> u32 {
     const { assert!(SIDE.is_power_of_two() && BLOCK == 4) };
     const BLOCKS: u32 = SIDE - BLOCK;
-    (y & BLOCKS) * SIDE | (x & BLOCKS) * BLOCK | (y % BLOCK) * BLOCK | x % BLOCK
+    (y & BLOCKS) * SIDE + (x & BLOCKS) * BLOCK + (y % BLOCK) * BLOCK + x % BLOCK
 }
 
 /// One thing for a tile to draw.
@@ -65,11 +65,7 @@ impl Entry {
     /// The place in the tile and the draw, if it is a fragment.
     #[inline(always)]
     pub(crate) const fn as_fragment(&self) -> Option<(usize, u32)> {
-        if self.key & SMALL == 0 {
-            Some((self.key as usize % AREA, self.key >> FRAGMENT_BITS))
-        } else {
-            None
-        }
+        if self.key & SMALL == 0 { Some((self.key as usize % AREA, self.key >> FRAGMENT_BITS)) } else { None }
     }
 
     /// Which prepared triangle it names, if it is not a fragment.

@@ -13,7 +13,7 @@ use super::bins::{AREA, BLOCK, SIDE};
 use super::kernel::Tile;
 use super::tile::{Scene, Turn};
 use super::{Frame, workers};
-use crate::{Depth, Stats, StoredDepth, Target, TargetError};
+use crate::{Depth, StoredDepth, Target, TargetError};
 
 /// What is settled of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,32 +91,21 @@ impl Frame {
         let scene = Scene::new(self);
         let bands = Bands::new(target);
         let level = self.level.inner();
-        let draw = |band: Band<'_, P>, hand: &mut Hand| {
-            fearless_simd::dispatch!(level, simd => {
-                hand.draw(simd, &scene, band.row);
-                hand.write(simd, &scene, band, put.clone());
-            });
-        };
-        #[cfg(feature = "parallel")]
-        {
-            let bands = workers::Queue::new(bands);
-            workers::shared(&mut hands, &|_, hand| {
-                while let Some(band) = bands.next() {
-                    draw(band, hand);
-                }
-                Stats::default()
-            });
-        }
-        #[cfg(not(feature = "parallel"))]
-        for band in bands {
-            draw(band, &mut hands[0]);
-        }
+        workers::taken_in_turn(&mut hands, bands, &|hand: &mut Hand, band: Band<'_, P>| {
+            hand.draw_band(level, &scene, band.row);
+            fearless_simd::dispatch!(level, simd => hand.write(simd, &scene, band, put.clone()));
+        });
         self.hands = hands;
         Ok(())
     }
 }
 
 impl Hand {
+    /// Draws the tiles of a band. Not generic, so that the kernels are compiled here, once, and not with every program.
+    fn draw_band(&mut self, level: fearless_simd::Level, scene: &Scene<'_>, row: u32) {
+        fearless_simd::dispatch!(level, simd => self.draw(simd, scene, row));
+    }
+
     /// Draws the tiles of a band.
     #[inline(always)]
     fn draw<L: Simd>(&mut self, simd: L, scene: &Scene<'_>, row: u32) {
@@ -153,14 +142,14 @@ impl Hand {
                 let pixels = &mut color[line.start + run.start..line.start + run.end];
                 if !live {
                     let (values, depths) = (&self.no_values[..run.len()], &self.no_depths[..run.len()]);
-                    put([run.start as u32, y], values, depths, pixels);
+                    put([column(run.start), y], values, depths, pixels);
                     continue;
                 }
                 row.write(run, pixels, |x, to| {
                     let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
                     let values = row.values(simd, &self.values[tile], group);
                     let depths = row.depths(simd, &self.depths[tile], group);
-                    put([x as u32, y], &values[..to.len()], &depths[..to.len()], to);
+                    put([column(x), y], &values[..to.len()], &depths[..to.len()], to);
                 });
             }
             match &mut depth {
@@ -268,6 +257,12 @@ impl Row {
     fn four<'a, T>(&self, block: &'a [T; 16]) -> &'a [T; 4] {
         &block.as_chunks::<4>().0[self.four % 4]
     }
+}
+
+/// A column of a picture.
+#[expect(clippy::cast_possible_truncation, reason = "up to 16,384")]
+const fn column(x: usize) -> u32 {
+    x as u32
 }
 
 /// A depth that a tile holds as a whole number.

@@ -153,8 +153,14 @@ impl Tile<'_> {
         let dx = (x + columns.start * BLOCK).wrapping_sub(x0).cast_signed();
         let dy = (y + rows.start * BLOCK).wrapping_sub(y0).cast_signed();
         let (c, most) = (f32x8::splat(simd, small.c), f32x8::splat(simd, small.most));
-        let q = two(#[inline(always)] |k| f32x8::splat(simd, small.q[k]));
-        let more = two(#[inline(always)] |k| i32x8::splat(simd, small.more()[k]));
+        let q = two(
+            #[inline(always)]
+            |k| f32x8::splat(simd, small.q[k]),
+        );
+        let more = two(
+            #[inline(always)]
+            |k| i32x8::splat(simd, small.more()[k]),
+        );
         let (half_x, half_y) = (half_x(simd), half_y(simd));
         let mut row = three(
             #[inline(always)]
@@ -163,18 +169,36 @@ impl Tile<'_> {
                 half_x * small.x[k] + half_y * small.y[k] + small.e[k].wrapping_add(far)
             },
         );
-        let right = three(#[inline(always)] |k| i32x8::splat(simd, small.x[k].wrapping_mul(BLOCK.cast_signed())));
-        let down = three(#[inline(always)] |k| i32x8::splat(simd, small.y[k].wrapping_mul(2)));
+        let right = three(
+            #[inline(always)]
+            |k| i32x8::splat(simd, small.x[k].wrapping_mul(BLOCK.cast_signed())),
+        );
+        let down = three(
+            #[inline(always)]
+            |k| i32x8::splat(simd, small.y[k].wrapping_mul(2)),
+        );
         for y in rows {
             let mut upper = row;
-            let mut lower = three(#[inline(always)] |k| row[k] + down[k]);
-            row = three(#[inline(always)] |k| lower[k] + down[k]);
+            let mut lower = three(
+                #[inline(always)]
+                |k| row[k] + down[k],
+            );
+            row = three(
+                #[inline(always)]
+                |k| lower[k] + down[k],
+            );
             for x in columns.clone() {
                 let block = (y * (SIDE / BLOCK) + x) as usize;
                 self.half(simd, block, 0, upper, more, (c, q, most), value, test);
                 self.half(simd, block, 1, lower, more, (c, q, most), value, test);
-                upper = three(#[inline(always)] |k| upper[k] + right[k]);
-                lower = three(#[inline(always)] |k| lower[k] + right[k]);
+                upper = three(
+                    #[inline(always)]
+                    |k| upper[k] + right[k],
+                );
+                lower = three(
+                    #[inline(always)]
+                    |k| lower[k] + right[k],
+                );
             }
         }
     }

@@ -37,7 +37,12 @@ pub(crate) fn bin(job: &Job<'_>, triangle: &Triangle, value: u32, segment: &mut 
         for column in tiles(columns.clone()) {
             let whole = tile_rect(column, row);
             let rect = whole.intersection(job.clip);
-            let corners = [(rect.x0, rect.y0), (rect.x1 - 1, rect.y0), (rect.x0, rect.y1 - 1), (rect.x1 - 1, rect.y1 - 1)];
+            let corners = [
+                (rect.x0, rect.y0),
+                (rect.x1 - 1, rect.y0),
+                (rect.x0, rect.y1 - 1),
+                (rect.x1 - 1, rect.y1 - 1),
+            ];
             let mut inside = true;
             let mut outside = false;
             for (edge, top_left) in &edges {
@@ -122,21 +127,35 @@ fn rows<L: Simd, E: Walk<L>, T: Test>(
     test: T,
 ) {
     let (c, most) = (f32x8::splat(simd, plane.c), f32x8::splat(simd, plane.most));
-    let q = two(#[inline(always)] |k| f32x8::splat(simd, plane.q[k]));
+    let q = two(
+        #[inline(always)]
+        |k| f32x8::splat(simd, plane.q[k]),
+    );
     let columns = half_x(simd);
     for row in blocks {
         let first = (row * BLOCK) as usize % SIDE as usize;
-        let four = four(#[inline(always)] |k| spans[(first + k) % SIDE as usize]);
+        let four = four(
+            #[inline(always)]
+            |k| spans[(first + k) % SIDE as usize],
+        );
         let [begin, end] = extent(four);
         let [starts, ends] = two(
             #[inline(always)]
-            |side| two(#[inline(always)] |half| pair(simd, four[2 * half][side], four[2 * half + 1][side])),
+            |side| {
+                two(
+                    #[inline(always)]
+                    |half| pair(simd, four[2 * half][side], four[2 * half + 1][side]),
+                )
+            },
         );
         let mut e = start.at(begin * BLOCK, row * BLOCK);
         let mut x = columns + (begin * BLOCK).cast_signed();
         for block in begin..end {
             let at = (row * (SIDE / BLOCK) + block) as usize;
-            let inside = two(#[inline(always)] |half| x.simd_ge(starts[half]) & x.simd_lt(ends[half]));
+            let inside = two(
+                #[inline(always)]
+                |half| x.simd_ge(starts[half]) & x.simd_lt(ends[half]),
+            );
             tile.put(simd, at, 0, formula(c, q, e.half(0)).min(most), inside[0], value, test);
             tile.put(simd, at, 1, formula(c, q, e.half(1)).min(most), inside[1], value, test);
             e = e.step();
@@ -184,7 +203,14 @@ impl<L: Simd> Narrow<L> {
         let (x, y) = ([p.x as i32, q.x as i32], [p.y as i32, q.y as i32]);
         let first = [p.at(rect.x0, rect.y0) as i32, q.at(rect.x0, rect.y0) as i32];
         let (half_x, half_y) = (half_x(simd), half_y(simd));
-        Self { e: two(#[inline(always)] |k| half_x * x[k] + half_y * y[k] + first[k]), x, y }
+        Self {
+            e: two(
+                #[inline(always)]
+                |k| half_x * x[k] + half_y * y[k] + first[k],
+            ),
+            x,
+            y,
+        }
     }
 }
 
@@ -229,7 +255,10 @@ impl<L: Simd> Wide<L> {
         let (x, y) = ([p.x as f64, q.x as f64], [p.y as f64, q.y as f64]);
         let first = [p.at(rect.x0, rect.y0) as f64, q.at(rect.x0, rect.y0) as f64];
         let columns = f64x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
-        let upper = two(#[inline(always)] |k| columns * x[k] + first[k]);
+        let upper = two(
+            #[inline(always)]
+            |k| columns * x[k] + first[k],
+        );
         Self { e: [[upper[0], upper[0] + y[0]], [upper[1], upper[1] + y[1]]], x, y }
     }
 

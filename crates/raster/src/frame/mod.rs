@@ -37,8 +37,8 @@ use self::bins::{FRAGMENT_DRAWS, RECORDS, SIDE, Segment};
 use self::finish::Hand;
 pub use self::finish::Sampled;
 pub use self::level::Level;
-use self::vertices::{LANES, Snapped, Snapper};
 pub use self::vertices::Vertices;
+use self::vertices::{LANES, Snapped, Snapper};
 use crate::setup::Setup;
 use crate::target::MAX_SIDE;
 use crate::{DepthTest, Rect, State, Stats, StoredDepth, TargetError};
@@ -230,7 +230,7 @@ impl Frame {
             let binned = workers::shared(segments, &|number, segment| {
                 let part = |k: usize| piece.start + piece.len() * k / threads;
                 let part = part(number)..part(number + 1);
-                fearless_simd::dispatch!(level, simd => bin(simd, &job, snapped, part, &value, segment))
+                bin(level, &job, snapped, part, &value, segment)
             });
             stats += binned;
         }
@@ -254,32 +254,47 @@ impl Frame {
         let length = blocks.div_ceil(threads) * LANES;
         let level = self.level.inner();
         workers::chunks(&mut self.snapped, length, &|number, chunk| {
-            let first = number * length;
-            fearless_simd::dispatch!(level, simd => {
-                for (k, block) in chunk.as_chunks_mut().0.iter_mut().enumerate() {
-                    *block = snapper.block(simd, vertices, first + k * LANES);
-                }
-            });
+            snap(level, snapper, vertices, number * length, chunk.as_chunks_mut().0);
         });
         self.snapped.truncate(vertices.len());
     }
 }
 
+/// What the pixels of a triangle hold. A call through a pointer for each triangle that may be seen costs a few
+/// cycles; to compile all of `batch` for each closure, at each level, costs every program minutes.
+type Value<'a> = dyn Fn(usize) -> u32 + Sync + 'a;
+
 /// Bins some of a draw's triangles.
-#[inline(always)]
-fn bin<L: fearless_simd::Simd, V: Fn(usize) -> u32>(
-    simd: L,
+fn bin(
+    level: fearless_simd::Level,
     job: &Job<'_>,
     snapped: &[Snapped],
     range: Range<usize>,
-    value: &V,
+    value: &Value<'_>,
     segment: &mut Segment,
 ) -> Stats {
     let mut stats = Stats::default();
-    for first in range.clone().step_by(LANES) {
-        batch::bin(simd, job, snapped, first..range.end, value, segment, &mut stats);
-    }
+    fearless_simd::dispatch!(level, simd => {
+        for first in range.clone().step_by(LANES) {
+            batch::bin(simd, job, snapped, first..range.end, value, segment, &mut stats);
+        }
+    });
     stats
+}
+
+/// Snaps the blocks of vertices from `first` on.
+fn snap(
+    level: fearless_simd::Level,
+    snapper: &Snapper,
+    vertices: &Vertices<'_>,
+    first: usize,
+    blocks: &mut [[Snapped; LANES]],
+) {
+    fearless_simd::dispatch!(level, simd => {
+        for (block, first) in blocks.iter_mut().zip((first..).step_by(LANES)) {
+            *block = snapper.block(simd, vertices, first);
+        }
+    });
 }
 
 impl Frame {

@@ -98,9 +98,21 @@ pub(crate) const UNSURE: i32 = 1;
 pub(crate) fn lanes<L: Simd>(simd: L, vertices: [[Snapped; 2]; 4]) -> [i32x8<L>; 4] {
     let half = two(
         #[inline(always)]
-        |h| i32x4::load_four_interleaved(simd, four(#[inline(always)] |k| vertices[k][h]).as_flattened()),
+        |h| {
+            i32x4::load_four_interleaved(
+                simd,
+                four(
+                    #[inline(always)]
+                    |k| vertices[k][h],
+                )
+                .as_flattened(),
+            )
+        },
     );
-    four(#[inline(always)] |k| half[0][k].combine(half[1][k]))
+    four(
+        #[inline(always)]
+        |k| half[0][k].combine(half[1][k]),
+    )
 }
 
 /// Not there.
@@ -132,7 +144,10 @@ impl Snapper {
             Some(lent) => lent,
             None => &vertices.made(first),
         };
-        let clip = four(#[inline(always)] |k| [clip[k], clip[4 + k]]);
+        let clip = four(
+            #[inline(always)]
+            |k| [clip[k], clip[4 + k]],
+        );
         let [x, y, z, mark] = self.lanes(simd, clip);
         let mut snapped = [[0; 4]; LANES];
         let (low, high) = snapped.as_flattened_mut().split_at_mut(4 * LANES / 2);
@@ -150,9 +165,21 @@ impl Snapper {
         const MOST_W: f32 = 1e30;
         let half = two(
             #[inline(always)]
-            |h| f32x4::load_four_interleaved(simd, four(#[inline(always)] |k| clip[k][h]).as_flattened()),
+            |h| {
+                f32x4::load_four_interleaved(
+                    simd,
+                    four(
+                        #[inline(always)]
+                        |k| clip[k][h],
+                    )
+                    .as_flattened(),
+                )
+            },
         );
-        let [x, y, z, w] = four(#[inline(always)] |k| half[0][k].combine(half[1][k]));
+        let [x, y, z, w] = four(
+            #[inline(always)]
+            |k| half[0][k].combine(half[1][k]),
+        );
         let one = f32x8::splat(simd, 1.0);
         let (bound, scale) = match self.space {
             Space::Clip => (w, w),
@@ -179,13 +206,7 @@ impl Snapper {
 
     /// Where eight coordinates land; without w it is 1.
     #[inline(always)]
-    fn place<L: Simd>(
-        &self,
-        simd: L,
-        v: f32x8<L>,
-        w: Option<(f64x4<L>, f64x4<L>)>,
-        axis: usize,
-    ) -> i32x8<L> {
+    fn place<L: Simd>(&self, simd: L, v: f32x8<L>, w: Option<(f64x4<L>, f64x4<L>)>, axis: usize) -> i32x8<L> {
         let scale = f64x4::splat(simd, self.viewport.scale[axis]);
         let offset = f64x4::splat(simd, self.viewport.offset[axis]);
         let (low, high) = v.widen();

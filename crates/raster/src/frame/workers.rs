@@ -59,19 +59,34 @@ pub(crate) fn chunks<T: Send>(items: &mut [T], length: usize, work: &(impl Fn(us
     }
 }
 
-/// Things to be done, one at a time for whoever comes next.
+/// Gives each of the things to do to the hand that is free.
 #[cfg(feature = "parallel")]
-#[derive(Debug)]
-pub(crate) struct Queue<I>(std::sync::Mutex<I>);
+pub(crate) fn taken_in_turn<H: Send, I: Iterator<Item: Send> + Send>(
+    hands: &mut [H],
+    things: I,
+    work: &(impl Fn(&mut H, I::Item) + Sync),
+) {
+    use std::sync::{Mutex, PoisonError};
 
-#[cfg(feature = "parallel")]
-impl<I: Iterator> Queue<I> {
-    pub(crate) const fn new(items: I) -> Self {
-        Self(std::sync::Mutex::new(items))
-    }
+    let things = Mutex::new(things);
+    // The lock is held only while the next thing is taken.
+    let next = || things.lock().unwrap_or_else(PoisonError::into_inner).next();
+    shared(hands, &|_, hand| {
+        while let Some(thing) = next() {
+            work(hand, thing);
+        }
+        Stats::default()
+    });
+}
 
-    /// The next thing to be done.
-    pub(crate) fn next(&self) -> Option<I::Item> {
-        self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner).next()
+/// Gives each of the things to do to the first hand.
+#[cfg(not(feature = "parallel"))]
+pub(crate) fn taken_in_turn<H: Send, I: Iterator<Item: Send> + Send>(
+    hands: &mut [H],
+    things: I,
+    work: &(impl Fn(&mut H, I::Item) + Sync),
+) {
+    if let Some(hand) = hands.first_mut() {
+        things.for_each(|thing| work(hand, thing));
     }
 }
