@@ -52,6 +52,9 @@ impl<P: Copy> Target<'_, P> {
                 continue;
             };
             let Some(ends) = setup.line([a, b], &mut stats) else { continue };
+            if beside(ends, clip) {
+                continue;
+            }
             let faces = || around(number).into_iter();
             let faces = Faces::new(&face_setup, state, vertices, line, faces);
             self.line(state, clip, ends, faces, pixel);
@@ -79,6 +82,13 @@ impl<P: Copy> Target<'_, P> {
             }
         }
     }
+}
+
+/// Whether a line's rows are sure to lie above or below all that may be drawn on: no pixel of it is walked then.
+fn beside(ends: [Corner; 2], clip: Rect) -> bool {
+    let [a, b] = ends.map(|end| i64::from(end.y).div_euclid(PIXEL));
+    // A line takes no pixel whose diamond it does not touch.
+    a.max(b) + 1 < i64::from(clip.y0) || a.min(b) - 1 > i64::from(clip.y1)
 }
 
 /// Whether a point is drawn; leaves its depth if it passes the test itself.

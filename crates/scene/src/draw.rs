@@ -11,6 +11,7 @@
 //! one. Both draw the same in the same order, and give the same bytes.
 
 mod blended;
+mod hidden;
 mod over;
 mod surface;
 
@@ -21,6 +22,7 @@ use polosa_raster::{
 };
 
 use self::blended::{Blended, Format};
+use self::hidden::Hidden;
 use self::surface::{Surface, Take};
 use crate::shades::Shades;
 use crate::share;
@@ -48,6 +50,8 @@ pub struct Renderer {
     blended: Blended,
     /// Whether the frame has no surfaces, since they could not be numbered: they are drawn one by one.
     overflows: bool,
+    /// What is left of a mesh that hides parts of itself.
+    hidden: Hidden,
     /// For targets without.
     depth: Vec<f32>,
     timings: Timings,
@@ -96,6 +100,7 @@ impl Renderer {
             shades: None,
             blended: Blended::default(),
             overflows: false,
+            hidden: Hidden::default(),
             depth: Vec::new(),
             timings: Timings::default(),
         }
@@ -215,7 +220,17 @@ impl Renderer {
         for (object, mesh) in shown(view.world, SURFACES) {
             let surface = Surface::new(view, object, mesh);
             let first = if surface.paint.is_blended() { self.blended.number(&surface) } else { 0 };
-            let into = IntoFrame { frame: &mut self.frame, state: view.style.state(), surface: &surface };
+            let hidden = self.hidden.leave_out(self.level, view, &surface, size, depth);
+            stats.hidden += hidden.unwrap_or(0);
+            let (vertices, triangles, places) = match hidden {
+                Some(_) => {
+                    let Hidden { clip, triangles, places, .. } = &self.hidden;
+                    (Vertices::Clip(clip), triangles.as_slice(), Some(places.as_slice()))
+                }
+                None => (surface.vertices(), mesh.triangles(), None),
+            };
+            let state = view.style.state();
+            let into = IntoFrame { frame: &mut self.frame, state, vertices, triangles, places };
             stats.triangles += surface.give(&mut self.shades, into, |index| first + index as u32);
             stats.objects += 1;
         }
@@ -314,17 +329,24 @@ impl Renderer {
     }
 }
 
-/// Draws a surface into a frame.
+/// Draws a surface, or what is left of it, into a frame.
 struct IntoFrame<'a> {
     frame: &'a mut Frame,
     state: State,
-    surface: &'a Surface<'a>,
+    vertices: Vertices<'a>,
+    triangles: &'a [[u32; 3]],
+    /// The triangles' places among all of the surface's; `None`: they are all.
+    places: Option<&'a [u32]>,
 }
 
 impl Take<Stats> for IntoFrame<'_> {
     fn take(self, value: impl Fn(usize) -> u32 + Sync) -> Stats {
-        let triangles = Triangles::Indexed(self.surface.mesh.triangles());
-        self.frame.draw(&self.state, 0, self.surface.vertices(), triangles, value)
+        let Self { frame, state, vertices, triangles, places } = self;
+        let triangles = Triangles::Indexed(triangles);
+        match places {
+            None => frame.draw(&state, 0, vertices, triangles, value),
+            Some(places) => frame.draw(&state, 0, vertices, triangles, |index| value(places[index] as usize)),
+        }
     }
 }
 

@@ -9,6 +9,9 @@ pub struct DrawStats {
     pub objects: u64,
     /// What became of their triangles.
     pub triangles: polosa_raster::Stats,
+    /// Triangles that are not among these: left out, since [balls inside their mesh](crate::World::occluders) hide
+    /// them.
+    pub hidden: u64,
     /// What became of their edges.
     pub lines: polosa_raster::Stats,
 }
@@ -17,6 +20,7 @@ impl AddAssign for DrawStats {
     fn add_assign(&mut self, other: Self) {
         self.objects += other.objects;
         self.triangles += other.triangles;
+        self.hidden += other.hidden;
         self.lines += other.lines;
     }
 }

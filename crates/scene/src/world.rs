@@ -125,10 +125,16 @@ impl World {
     }
 
     /// The balls inside a mesh, behind which it hides itself; found out when they are first asked for, which takes
-    /// about as long as drawing the mesh some tens of times.
+    /// about as long as drawing the mesh some tens of times. From then on
+    /// [`Renderer::frame`](crate::Renderer::frame) leaves out what they hide, which changes no pixel.
     #[must_use]
     pub fn occluders(&self, key: MeshKey) -> Option<&Occluders> {
         self.meshes.get(key).map(|stored| stored.occluders.get_or_init(|| Occluders::of(&stored.mesh)))
+    }
+
+    /// The same, if somebody has asked for them before.
+    pub(crate) fn known_occluders(&self, key: MeshKey) -> Option<&Occluders> {
+        self.meshes.get(key)?.occluders.get()
     }
 
     /// All meshes, shown or not.

@@ -284,6 +284,41 @@ fn large_frames_are_the_same_with_any_number_of_threads() {
     scene.check(&mut renderers(), "large");
 }
 
+/// Once somebody has asked for the balls inside a mesh, what they hide is left out.
+#[test]
+fn what_a_mesh_hides_behind_itself_is_left_out_and_no_pixel_changes() {
+    let mut renderers = renderers();
+    let mut hidden = 0;
+    for seed in 0..24 {
+        let mut random = Random(0x41d + 2 * seed);
+        let mut scene = Scene::random(seed + 999, 2);
+        for shape in ["uv-sphere:60:40", "torus:64:40", "sphere:4"] {
+            let key = scene.world.add_mesh(mesh(&mut random, shape, seed % 4));
+            let size = DVec3::splat(random.between(0.5, 2.0));
+            let placement = Placement { scale: size, translation: random.vector(2.0), ..Placement::IDENTITY };
+            scene.world.add(Object::new(key).placed(placement)).unwrap();
+        }
+        scene.camera = Camera::new();
+        scene.camera.frame(&scene.world.bounds(), random.vector(1.0), DVec3::Y, 0.0).unwrap();
+        if seed % 6 != 0 {
+            scene.style.cull = Cull::None;
+        }
+        let keys: Vec<_> = scene.world.meshes().map(|(key, _)| key).collect();
+        for key in keys {
+            assert!(scene.world.occluders(key).is_some());
+        }
+        let (expected, stats) = scene.drawn(32);
+        for renderer in &mut renderers {
+            let (got, got_stats) = scene.framed(renderer, 32);
+            assert!(got.color == expected.color && got.f32s == expected.f32s, "seed {seed}");
+            assert_eq!(got_stats.triangles.submitted + got_stats.hidden, stats.triangles.submitted);
+            assert!(got_stats.hidden == 0 || scene.style.cull == Cull::None);
+            hidden += got_stats.hidden;
+        }
+    }
+    assert!(hidden > 100_000, "{hidden}");
+}
+
 #[test]
 fn a_band_of_a_frame_is_those_rows_of_it() {
     for seed in 0..10 {
