@@ -33,7 +33,7 @@ const MOST: usize = CORNERS - 2;
 /// let mut deferred = Deferred::new(&State::default(), [8, 8]);
 /// assert!(deferred.prepare(corners.each_ref()));
 /// let weights = deferred.weights(4, 4, left_behind);
-/// assert_eq!(weights, Some([0.15625, 0.28125, 0.5625]));
+/// assert_eq!(weights, Some([0.21875, 0.34375, 0.4375]));
 /// # Ok::<(), polosa_raster::TargetError>(())
 /// ```
 #[derive(Clone, Debug)]
