@@ -24,6 +24,7 @@ use polosa_raster::{
 use self::blended::{Blended, Format};
 use self::hidden::Hidden;
 use self::surface::{Surface, Take};
+use crate::light::LANES;
 use crate::shades::Shades;
 use crate::share;
 use crate::timings::{Clock, Timings};
@@ -230,7 +231,8 @@ impl Renderer {
                 None => (surface.vertices(), mesh.triangles(), None),
             };
             let state = view.style.state();
-            let into = IntoFrame { frame: &mut self.frame, state, vertices, triangles, places };
+            let (frame, level) = (&mut self.frame, self.level);
+            let into = IntoFrame { frame, level, state, surface: &surface, vertices, triangles, places };
             stats.triangles += surface.give(&mut self.shades, into, |index| first + index as u32);
             stats.objects += 1;
         }
@@ -332,7 +334,9 @@ impl Renderer {
 /// Draws a surface, or what is left of it, into a frame.
 struct IntoFrame<'a> {
     frame: &'a mut Frame,
+    level: fearless_simd::Level,
     state: State,
+    surface: &'a Surface<'a>,
     vertices: Vertices<'a>,
     triangles: &'a [[u32; 3]],
     /// The triangles' places among all of the surface's; `None`: they are all.
@@ -340,13 +344,21 @@ struct IntoFrame<'a> {
 }
 
 impl Take<Stats> for IntoFrame<'_> {
-    fn take(self, value: impl Fn(usize) -> u32 + Sync) -> Stats {
-        let Self { frame, state, vertices, triangles, places } = self;
-        let triangles = Triangles::Indexed(triangles);
-        match places {
-            None => frame.draw(&state, 0, vertices, triangles, value),
-            Some(places) => frame.draw(&state, 0, vertices, triangles, |index| value(places[index] as usize)),
-        }
+    fn take(self, shade: impl Fn(usize, f32) -> u32 + Sync) -> Stats {
+        let Self { frame, level, state, surface, vertices, triangles, places } = self;
+        let positions = surface.mesh.positions();
+        let blended = surface.paint.is_blended();
+        let values = |first: usize, asked: u32, values: &mut [u32; LANES]| {
+            let eight = &triangles[first..triangles.len().min(first + LANES)];
+            // What is blended is lit when it is.
+            let asked_of_light = if blended { 0 } else { asked };
+            let intensities = surface.lighting.eight(level, positions, eight, asked_of_light);
+            for lane in (0..LANES).filter(|lane| asked >> lane & 1 == 1) {
+                let place = places.map_or(first + lane, |places| places[first + lane] as usize);
+                values[lane] = shade(place, intensities[lane]);
+            }
+        };
+        frame.draw_eights(&state, 0, vertices, Triangles::Indexed(triangles), values)
     }
 }
 

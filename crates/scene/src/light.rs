@@ -76,8 +76,7 @@ pub(crate) struct Lighting {
 }
 
 /// Triangles that are shaded at a time.
-#[allow(dead_code, reason = "for the drawing of whole frames")]
-const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 impl Lighting {
     pub(crate) fn new(light: &Light, shading: Shading, camera: &Camera, placement: &Placement) -> Self {
@@ -121,7 +120,6 @@ impl Lighting {
 
     /// The intensities of all triangles of a mesh, in order: the same bits as [`intensity`](Self::intensity)
     /// gives one by one, whatever the vector registers of the machine are.
-    #[allow(dead_code, reason = "for the drawing of whole frames")]
     pub(crate) fn intensities(&self, level: Level, mesh: &Mesh, out: &mut Vec<f32>) {
         out.clear();
         out.resize(mesh.triangles().len(), 1.0);
@@ -131,8 +129,30 @@ impl Lighting {
         }
     }
 
+    /// The intensities of up to eight triangles, those that `asked` has a bit for: the same bits again.
+    pub(crate) fn eight(
+        &self,
+        level: Level,
+        positions: &[[f32; 3]],
+        triangles: &[[u32; 3]],
+        asked: u32,
+    ) -> [f32; LANES] {
+        let mut out = [1.0; LANES];
+        if self.shading != Shading::Flat {
+            return out;
+        }
+        // One or two are sooner done alone.
+        if asked.count_ones() > 2 && triangles.len() == LANES {
+            dispatch!(level, simd => self.flat_all(simd, positions, triangles, &mut out));
+        } else {
+            for (lane, triangle) in triangles.iter().enumerate().filter(|(lane, _)| asked >> lane & 1 == 1) {
+                out[lane] = self.flat(triangle.map(|vertex| positions[vertex as usize].map(f64::from)));
+            }
+        }
+        out
+    }
+
     #[inline(always)]
-    #[allow(dead_code, reason = "for the drawing of whole frames")]
     fn flat_all<S: Simd>(&self, simd: S, positions: &[[f32; 3]], triangles: &[[u32; 3]], out: &mut [f32]) {
         let (triangles, rest) = triangles.as_chunks::<LANES>();
         let (out, out_rest) = out.as_chunks_mut::<LANES>();
@@ -165,7 +185,6 @@ impl Lighting {
 
     /// The direct part of [`flat`](Self::flat) for four triangles: the same operations in the same order.
     #[inline(always)]
-    #[allow(dead_code, reason = "for the drawing of whole frames")]
     fn flat_four<S: Simd>(&self, simd: S, [a, b, c]: &[[f64x4<S>; 3]; 3]) -> f64x4<S> {
         let (p, q) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
         let x = p[1] * q[2] - p[2] * q[1];

@@ -16,7 +16,7 @@ use super::bins::{Entry, SIDE, Segment, Small, place};
 use super::each::{four, three, two};
 use super::large;
 use super::vertices::{LANES, MISSING, PLAIN, Snapped, Snapper, UNSURE, Vertices, lanes};
-use super::{Triangles, Value};
+use super::{Triangles, Values};
 use crate::depth::{coefficients, formula};
 use crate::setup::Setup;
 use crate::{Clip, Cull, DepthTest, Rect, State, Stats};
@@ -124,7 +124,7 @@ pub(crate) fn bin<L: Simd>(
     job: &Job<'_>,
     snapped: &[Snapped],
     range: Range<usize>,
-    value: &Value<'_>,
+    values: &Values<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
@@ -174,7 +174,7 @@ pub(crate) fn bin<L: Simd>(
         return;
     }
     if live == 0 {
-        return in_scalars(job, first, scalar, value, segment, stats);
+        return in_scalars(job, first, scalar, values, segment, stats);
     }
 
     // Sorted by y, then x; relative to the box.
@@ -301,11 +301,15 @@ pub(crate) fn bin<L: Simd>(
         q: [*q[0], *q[1]],
         most: *most,
     };
+    let mut found = [0; LANES];
+    if todo & !scalar != 0 {
+        values(first, todo & !scalar, &mut found);
+    }
     while todo != 0 {
         let lane = todo.trailing_zeros() as usize % LANES;
         todo &= todo - 1;
         if tiny_bits >> lane & 1 == 1 {
-            let value = value(first + lane);
+            let value = found[lane];
             let (x, y) = (x0[lane].cast_unsigned(), y0[lane].cast_unsigned());
             let mut bits = covered[lane].cast_unsigned() & 0xffff;
             while bits != 0 {
@@ -317,11 +321,11 @@ pub(crate) fn bin<L: Simd>(
                 segment.bins[tile].entries.push(entry);
             }
         } else if scalar >> lane & 1 == 1 {
-            one_in_scalars(job, first + lane, value, segment, stats);
+            one_in_scalars(job, first + lane, values, segment, stats);
         } else {
             let extent = [x0[lane], y0[lane], x1[lane], y1[lane]].map(|v| v.cast_unsigned());
             let record = prepared.record(lane, extent, job.draw);
-            small(job, &record, extent, value(first + lane), segment);
+            small(job, &record, extent, found[lane], segment);
         }
     }
 }
@@ -366,13 +370,13 @@ fn in_scalars(
     job: &Job<'_>,
     first: usize,
     lanes: u32,
-    value: &Value<'_>,
+    values: &Values<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
     stats.submitted -= u64::from(lanes.count_ones());
     for lane in (0..LANES).filter(|lane| lanes >> lane & 1 == 1) {
-        one_in_scalars(job, first + lane, value, segment, stats);
+        one_in_scalars(job, first + lane, values, segment, stats);
     }
 }
 
@@ -381,7 +385,7 @@ fn in_scalars(
 fn one_in_scalars(
     job: &Job<'_>,
     triangle: usize,
-    value: &Value<'_>,
+    values: &Values<'_>,
     segment: &mut Segment,
     stats: &mut Stats,
 ) {
@@ -393,7 +397,11 @@ fn one_in_scalars(
     let mut known = None;
     job.setup.triangle([&a, &b, &c], stats, |piece| {
         if !piece.triangle.rows(job.state.sample, job.clip).is_empty() {
-            let value = *known.get_or_insert_with(|| value(triangle));
+            let value = *known.get_or_insert_with(|| {
+                let mut found = [0; LANES];
+                values(triangle, 1, &mut found);
+                found[0]
+            });
             large::bin(job, &piece.triangle, value, segment);
         }
     });

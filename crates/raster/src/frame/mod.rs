@@ -192,6 +192,39 @@ impl Frame {
         triangles: Triangles<'_>,
         value: impl Fn(usize) -> u32 + Sync,
     ) -> Stats {
+        self.draw_eights(state, order, vertices, triangles, |first, asked, values| {
+            let mut asked = asked;
+            while asked != 0 {
+                let lane = asked.trailing_zeros() as usize % LANES;
+                asked &= asked - 1;
+                values[lane] = value(first + lane);
+            }
+        })
+    }
+
+    /// The same for values that are sooner found for eight triangles at a time: `values` gets the place of the first
+    /// of up to eight in a row, a bit for each whose value is asked for (the lowest for the first), and where to put
+    /// them.
+    ///
+    /// ```
+    /// # use polosa_raster::{Frame, State, StoredDepth, Triangles, Vertices};
+    /// # let corners = [[-0.8, -0.8, 0.5, 1.0], [0.8, -0.8, 0.5, 1.0], [0.0, 0.9, 0.5, 1.0]];
+    /// # let mut frame = Frame::new();
+    /// # frame.begin([16, 8], 0, StoredDepth::F32(0.0))?;
+    /// frame.draw_eights(&State::default(), 0, Vertices::Clip(&corners), Triangles::Consecutive, |first, asked, values| {
+    ///     assert_eq!((first, asked), (0, 0b1));
+    ///     *values = core::array::from_fn(|lane| (first + lane) as u32);
+    /// });
+    /// # Ok::<(), polosa_raster::TargetError>(())
+    /// ```
+    pub fn draw_eights(
+        &mut self,
+        state: &State,
+        order: u32,
+        vertices: Vertices<'_>,
+        triangles: Triangles<'_>,
+        values: impl Fn(usize, u32, &mut [u32; 8]) + Sync,
+    ) -> Stats {
         let count = match triangles {
             Triangles::Indexed(triangles) => triangles.len(),
             Triangles::Consecutive => vertices.len() / 3,
@@ -230,7 +263,7 @@ impl Frame {
             let binned = workers::shared(segments, &|number, segment| {
                 let part = |k: usize| piece.start + piece.len() * k / threads;
                 let part = part(number)..part(number + 1);
-                bin(level, &job, snapped, part, &value, segment)
+                bin(level, &job, snapped, part, &values, segment)
             });
             stats += binned;
         }
@@ -260,9 +293,10 @@ impl Frame {
     }
 }
 
-/// What the pixels of a triangle hold. A call through a pointer for each triangle that may be seen costs a few
-/// cycles; to compile all of `batch` for each closure, at each level, costs every program minutes.
-type Value<'a> = dyn Fn(usize) -> u32 + Sync + 'a;
+/// What the pixels of up to eight triangles in a row hold: from the place of the first, and a bit for each that is
+/// asked for. A call through a pointer costs a few cycles; to compile all of `batch` for each closure, at each level,
+/// would cost every program minutes.
+type Values<'a> = dyn Fn(usize, u32, &mut [u32; LANES]) + Sync + 'a;
 
 /// Bins some of a draw's triangles.
 fn bin(
@@ -270,13 +304,13 @@ fn bin(
     job: &Job<'_>,
     snapped: &[Snapped],
     range: Range<usize>,
-    value: &Value<'_>,
+    values: &Values<'_>,
     segment: &mut Segment,
 ) -> Stats {
     let mut stats = Stats::default();
     fearless_simd::dispatch!(level, simd => {
         for first in range.clone().step_by(LANES) {
-            batch::bin(simd, job, snapped, first..range.end, value, segment, &mut stats);
+            batch::bin(simd, job, snapped, first..range.end, values, segment, &mut stats);
         }
     });
     stats

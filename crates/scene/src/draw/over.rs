@@ -91,7 +91,8 @@ struct OntoTarget<'a, 'b> {
 }
 
 impl Take<Stats> for OntoTarget<'_, '_> {
-    fn take(self, value: impl Fn(usize) -> u32 + Sync) -> Stats {
-        self.target.triangles(&self.state, self.clip, self.surface.mesh.triangles(), &PerTriangle(value))
+    fn take(self, shade: impl Fn(usize, f32) -> u32 + Sync) -> Stats {
+        let value = PerTriangle(|index| shade(index, self.surface.intensity(index)));
+        self.target.triangles(&self.state, self.clip, self.surface.mesh.triangles(), &value)
     }
 }

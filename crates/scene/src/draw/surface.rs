@@ -44,9 +44,9 @@ impl<'a> Paint<'a> {
     }
 }
 
-/// Something that takes the value of each triangle of a surface.
+/// Something that takes how a triangle's value is found from its place and its intensity.
 pub(super) trait Take<R> {
-    fn take(self, value: impl Fn(usize) -> u32 + Sync) -> R;
+    fn take(self, shade: impl Fn(usize, f32) -> u32 + Sync) -> R;
 }
 
 /// A table of shades is made for surfaces of at least so many triangles; for fewer the formula is sooner done.
@@ -67,7 +67,13 @@ impl<'a> Surface<'a> {
         Vertices::Model { matrix: &self.matrix, positions: self.mesh.positions() }
     }
 
-    /// Hands over how each triangle's pixel is found. `blended` is asked where that is no one colour.
+    /// How much of its colour a triangle shows.
+    pub(super) fn intensity(&self, index: usize) -> f32 {
+        let positions = self.mesh.positions();
+        self.lighting.intensity(self.mesh.triangles()[index].map(|vertex| positions[vertex as usize]))
+    }
+
+    /// Hands over how a triangle's pixel is found. `blended` is asked where that is no one colour.
     ///
     /// `shades` keeps a table from one surface to the next of the same colour.
     pub(super) fn give<R>(
@@ -76,23 +82,19 @@ impl<'a> Surface<'a> {
         to: impl Take<R>,
         blended: impl Fn(usize) -> u32 + Sync,
     ) -> R {
-        let (positions, triangles) = (self.mesh.positions(), self.mesh.triangles());
-        let lighting = self.lighting;
-        let intensity =
-            |index: usize| lighting.intensity(triangles[index].map(|vertex| positions[vertex as usize]));
         match self.paint {
             Paint::One(color) => {
                 if shades.as_ref().is_none_or(|shades| shades.color() != color) {
-                    if triangles.len() < WORTH_SHADES {
-                        return to.take(|index| Lighting::pixel(color, intensity(index)));
+                    if self.mesh.triangles().len() < WORTH_SHADES {
+                        return to.take(|_, intensity| Lighting::pixel(color, intensity));
                     }
                     *shades = None;
                 }
                 let shades = shades.get_or_insert_with(|| Shades::new(color));
-                to.take(|index| shades.pixel(intensity(index)))
+                to.take(|_, intensity| shades.pixel(intensity))
             }
-            Paint::Face(colors) => to.take(|index| Lighting::pixel(colors[index], intensity(index))),
-            Paint::Vertex(_) => to.take(blended),
+            Paint::Face(colors) => to.take(|index, intensity| Lighting::pixel(colors[index], intensity)),
+            Paint::Vertex(_) => to.take(|index, _| blended(index)),
         }
     }
 }
