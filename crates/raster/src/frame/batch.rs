@@ -324,8 +324,14 @@ pub(crate) fn bin<L: Simd>(
             one_in_scalars(job, first + lane, values, segment, stats);
         } else {
             let extent = [x0[lane], y0[lane], x1[lane], y1[lane]].map(|v| v.cast_unsigned());
-            let record = prepared.record(lane, extent, job.draw);
-            small(job, &record, extent, found[lane], segment);
+            let (value, [x0, y0, x1, y1]) = (found[lane], extent);
+            for row in y0 / SIDE..=(y1 - 1) / SIDE {
+                for column in x0 / SIDE..=(x1 - 1) / SIDE {
+                    // Made in its place, anew for each tile: a copy would wait for what was just written.
+                    let bin = &mut segment.bins[(row * job.columns + column) as usize];
+                    bin.push_small(prepared.record(lane, extent, job.draw), value);
+                }
+            }
         }
     }
 }
@@ -351,16 +357,6 @@ impl Prepared {
         let q = [self.q[0][lane], self.q[1][lane]];
         let [x0, y0, x1, y1] = extent;
         Small::new(edges, self.c[lane], q, self.most[lane], [x0 as u16, y0 as u16, x1 as u16, y1 as u16], tag)
-    }
-}
-
-/// Bins a triangle that was prepared in lanes.
-#[inline]
-fn small(job: &Job<'_>, record: &Small, [x0, y0, x1, y1]: [u32; 4], value: u32, segment: &mut Segment) {
-    for row in y0 / SIDE..=(y1 - 1) / SIDE {
-        for column in x0 / SIDE..=(x1 - 1) / SIDE {
-            segment.bins[(row * job.columns + column) as usize].push_small(record, value);
-        }
     }
 }
 

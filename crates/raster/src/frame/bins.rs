@@ -146,10 +146,10 @@ impl Bin {
     const EMPTY: Self = Self { entries: Vec::new(), small: Vec::new(), bound: NO_BOUND };
 
     /// Adds a small triangle.
-    #[inline]
-    pub(crate) fn push_small(&mut self, small: &Small, value: u32) {
+    #[inline(always)]
+    pub(crate) fn push_small(&mut self, small: Small, value: u32) {
         self.entries.push(Entry { key: SMALL | index(self.small.len()), z: small.most, value });
-        self.small.push(*small);
+        self.small.push(small);
     }
 
     /// Names a large triangle of the segment.
