@@ -1,5 +1,5 @@
 //! The raster core of [polosa](https://docs.rs/polosa): triangles and lines from clip space into slices that
-//! you own, exactly. No allocator, no `std`, no `unsafe`.
+//! you own, exactly. No `std`, no `unsafe`, and no allocator unless you want whole [frames](#frames).
 //!
 //! # The contract
 //!
@@ -28,6 +28,14 @@
 //! ```
 //!
 //! Read the modules in this order.
+//!
+//! # Frames
+//!
+//! With the feature `alloc`, a `Frame` takes all triangles of a picture before it draws the first, sorts them into
+//! tiles, and draws each tile in the nearest cache, eight pixels at a time: the same stages in another sequence, the
+//! same bytes, sooner. The feature `std` finds the vector instructions of the machine that runs it,
+//! `parallel` shares the work between threads, `scalar` adds the scalar level for comparison; none changes a pixel.
+//! [`Target::triangles`] needs none of this, and can blend and discard, which frames cannot.
 //!
 //! # Example
 //!
@@ -104,6 +112,6 @@ pub use triangle::{Facing, Triangle};
 pub use weights::Weights;
 
 /// The examples of the README are tests, too.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "alloc"))]
 #[doc = include_str!("../README.md")]
 struct Readme;
