@@ -22,23 +22,17 @@ use polosa_benches::ours::Picture;
 use polosa_benches::workloads::{HEIGHT, WIDTH};
 use polosa_math::Placement;
 use polosa_math::glam::{DMat4, DVec3};
-use polosa_raster::{DepthTest, Stats};
+use polosa_raster::Stats;
 use polosa_scene::{Camera, Color, Light, Mesh, Object, Renderer, Style, World};
 
 /// Numbers of threads that draw.
-const THREADS: [usize; 1] = [1];
+const THREADS: [usize; 2] = [1, 2];
 
 /// Shells, one inside the other.
 const LAYERS: [usize; 5] = [1, 2, 4, 8, 16];
 
 /// Pictures, from the smallest to the largest.
 const SIZES: [[u32; 2]; 6] = [[320, 240], [640, 480], [1280, 720], [1920, 1080], [2560, 1440], [3840, 2160]];
-
-/// The renderer that draws with some threads.
-fn renderer(threads: usize) -> Renderer {
-    assert_eq!(threads, 1, "the scene draws with one thread");
-    Renderer::new()
-}
 
 fn brief() -> Criterion {
     Criterion::default()
@@ -76,17 +70,17 @@ impl Scene {
     }
 
     fn draw(&mut self, renderer: &mut Renderer) -> Stats {
-        let mut target = self.picture.target();
-        target.clear(0, DepthTest::Greater);
         let (light, style) = (Light::default(), Style::default());
-        renderer.draw(&self.world, &self.camera, &light, &style, &mut target).triangles
+        let mut target = self.picture.target();
+        let drawn = renderer.frame(&self.world, &self.camera, &light, &style, None, &mut target);
+        drawn.expect("a frame fits a target of its size").triangles
     }
 
     /// Every number of threads draws the same picture, one that shows the mesh.
     fn check(&mut self) {
         let mut first: Option<Vec<u32>> = None;
         for threads in THREADS {
-            let stats = self.draw(&mut renderer(threads));
+            let stats = self.draw(&mut Renderer::with_threads(threads));
             assert_eq!(stats.drawn + stats.degenerate + stats.culled, stats.submitted, "all is in view");
             let shown = self.picture.color.iter().filter(|&&pixel| pixel != 0).count();
             assert!(4 * shown > self.picture.color.len(), "the mesh fills the picture: {shown} pixels");
@@ -98,7 +92,7 @@ impl Scene {
     fn time(&mut self, group: &mut BenchmarkGroup<'_, WallTime>, name: &str) {
         self.check();
         for threads in THREADS {
-            let mut renderer = renderer(threads);
+            let mut renderer = Renderer::with_threads(threads);
             let id = BenchmarkId::new(name, format!("{threads} threads").replace("1 threads", "1 thread"));
             group.bench_function(id, |b| b.iter(|| black_box(self.draw(&mut renderer))));
         }

@@ -1,6 +1,6 @@
 //! polosa: soups by the raster core, lit meshes by the scene's renderer.
 
-use polosa_raster::{Cull, DepthTest};
+use polosa_raster::Cull;
 use polosa_scene::{Light, Mesh, Object, Renderer, Style, World};
 
 use crate::contestant::{Contestant, time};
@@ -12,8 +12,7 @@ pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant
     let mut all: Vec<Box<dyn Contestant + 'a>> = Vec::new();
     for &threads in threads {
         match &job.lit {
-            Some(lit) if threads == 1 => all.push(Box::new(Whole::new(job, lit))),
-            Some(_) => {}
+            Some(lit) => all.push(Box::new(Whole::new(job, lit, threads))),
             None => all.extend(
                 Path::all(threads)
                     .into_iter()
@@ -72,7 +71,7 @@ struct Whole<'a> {
 }
 
 impl<'a> Whole<'a> {
-    fn new(job: &'a Job, lit: &'a Lit) -> Self {
+    fn new(job: &'a Job, lit: &'a Lit, threads: usize) -> Self {
         let Vertices::Model { positions, .. } = &job.vertices else { unreachable!("lit jobs are meshes") };
         let mut world = World::new();
         let mesh =
@@ -80,26 +79,29 @@ impl<'a> Whole<'a> {
         let mesh = world.add_mesh(mesh);
         world.add(Object::new(mesh)).expect("the mesh is there");
         let style = Style { cull: Cull::Back, color: lit.color, ..Style::default() };
-        Self { lit, world, renderer: Renderer::new(), style, picture: Picture::new(job.size) }
+        let renderer = Renderer::with_threads(threads);
+        Self { lit, world, renderer, style, picture: Picture::new(job.size) }
     }
 }
 
 impl Contestant for Whole<'_> {
     fn name(&self) -> String {
-        "polosa scene".to_owned()
+        match self.renderer.threads() {
+            1 => "polosa scene".to_owned(),
+            threads => format!("polosa scene, {threads} threads"),
+        }
     }
 
     fn threads(&self) -> usize {
-        1
+        self.renderer.threads()
     }
 
     fn frames(&mut self, count: u32) -> Result<Vec<u64>, String> {
         let light = Light { ambient: self.lit.ambient, ..Light::default() };
         let Self { lit, world, renderer, style, picture } = self;
         Ok(time(count, || {
-            let mut target = picture.target();
-            target.clear(0, DepthTest::Greater);
-            renderer.draw(world, &lit.camera, &light, style, &mut target);
+            let drawn = renderer.frame(world, &lit.camera, &light, style, None, &mut picture.target());
+            drawn.expect("a frame fits a target of its size");
         }))
     }
 
