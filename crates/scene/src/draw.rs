@@ -7,7 +7,7 @@
 //!                    edges over surfaces, then wire ─────────────────────────────────────────────┘
 //! ```
 //!
-//! [`Renderer::frame`] makes a whole picture, many times sooner and with several threads; [`Renderer::draw`] draws over
+//! [`Renderer::frame`] makes a whole picture, several times sooner and with several threads; [`Renderer::draw`] draws over
 //! one. Both draw the same in the same order, and give the same bytes.
 
 mod blended;

@@ -58,7 +58,6 @@ mod object;
 pub mod occluder;
 mod outline;
 pub mod picture;
-#[allow(dead_code, reason = "for the drawing of whole frames")]
 mod shades;
 pub mod shape;
 mod share;

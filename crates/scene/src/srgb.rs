@@ -73,7 +73,6 @@ pub fn encode(light: f32) -> u8 {
 }
 
 /// The least linear light whose code is greater than `code`, which is not 255.
-#[allow(dead_code, reason = "for the drawing of whole frames")]
 pub(crate) fn least_above(code: u8) -> f32 {
     TABLES.above[usize::from(code)]
 }

@@ -1,4 +1,4 @@
-//! Whole frames, in tiles: the same picture as drawing triangle by triangle, many times sooner.
+//! Whole frames, in tiles: the same picture as drawing triangle by triangle, several times sooner.
 //!
 //! ```text
 //!   draw ─▶ vertices ─▶ batches of 8 ─▶ bins, a list for each tile of 64 × 64 pixels
