@@ -222,7 +222,7 @@ impl<'a, P: Copy> Target<'a, P> {
     /// The target in bands of so many rows (at least one; the last may have fewer), from top to bottom: for several
     /// threads to draw on.
     pub fn bands(&mut self, rows: u32) -> impl Iterator<Item = Target<'_, P>> {
-        let length = rows.max(1) as usize * self.stride;
+        let length = (rows.max(1) as usize).saturating_mul(self.stride);
         let Self { width, height, stride, .. } = *self;
         let end = self.rows.end;
         let firsts = self.rows.clone().step_by(rows.max(1) as usize);

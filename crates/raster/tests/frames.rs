@@ -224,6 +224,25 @@ fn so_they_are_with_every_state() {
 }
 
 #[test]
+fn so_they_are_when_threads_share_the_triangles() {
+    let mut r = Rng::new(0x5EA7);
+    for round in 0..24 {
+        let size = [1 + r.index(200) as u32, 1 + r.index(150) as u32];
+        let calls: Vec<Call> = (0..3)
+            .map(|order| {
+                let state = state(&mut r, false, size);
+                let reach = [1.0, 4.0, 15.0][r.index(3)];
+                let (mut vertices, triangles) = soup(&mut r, size, 5_000, reach, state.space);
+                spoil(&mut r, &mut vertices);
+                Call { state, order: order * 7 % 3, vertices, triangles }
+            })
+            .collect();
+        let clear = [StoredDepth::F32(0.0), StoredDepth::U16(0), StoredDepth::F32(0.5)][r.index(3)];
+        assert_same(&calls, size, clear, &format!("round {round}"));
+    }
+}
+
+#[test]
 fn draws_in_any_sequence_obey_their_order() {
     let mut r = Rng::new(0x0BE1);
     for round in 0..60 {

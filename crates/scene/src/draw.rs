@@ -165,7 +165,9 @@ impl Renderer {
             return self.frame_with_depth(&view, background, target);
         }
         let mut depth = std::mem::take(&mut self.depth);
-        depth.resize(target.rows().len() * target.stride(), 0.0);
+        // No more than the target's pixels reach: a row alone may have any stride.
+        let before = (target.rows().len() - 1) * target.stride();
+        depth.resize(before + target.width() as usize, 0.0);
         let with_depth = target.with_depth(Depth::F32(&mut depth));
         let stats = with_depth.and_then(|mut target| self.frame_with_depth(&view, background, &mut target));
         self.depth = depth;

@@ -1,6 +1,6 @@
 //! Eight triangles at a time: box, facing, edges and depth, and for those of a few pixels their fragments.
 //!
-//! Everything is relative to the corner of the triangle's own box, so that up to 128 pixels of extent all products
+//! Everything is relative to the corner of the triangle's own box, so that below 128 pixels of extent all products
 //! fit an `i32`, exactly. What does not fit (a larger triangle, one that a plane may cut) takes the scalar way of
 //! the immediate path, in its turn: the order of drawing stays.
 //!
@@ -146,12 +146,9 @@ pub(crate) fn bin<L: Simd>(
     let marks = a[3] | b[3] | c[3];
     let fits = (right - left).max(bottom - top).simd_lt(MOST_EXTENT) & marks.simd_eq(PLAIN);
     let [sx, sy] = job.state.sample.sub_pixels();
-    let [x0, y0] =
-        [first_at(left, sx).max(job.clip.x0.cast_signed()), first_at(top, sy).max(job.clip.y0.cast_signed())];
-    let [x1, y1] = [
-        first_at(right, sx).min(job.clip.x1.cast_signed()),
-        first_at(bottom, sy).min(job.clip.y1.cast_signed()),
-    ];
+    let whole = [first_at(left, sx), first_at(top, sy), first_at(right, sx), first_at(bottom, sy)];
+    let (x0, y0) = (whole[0].max(job.clip.x0.cast_signed()), whole[1].max(job.clip.y0.cast_signed()));
+    let (x1, y1) = (whole[2].min(job.clip.x1.cast_signed()), whole[3].min(job.clip.y1.cast_signed()));
     let samples = x0.simd_lt(x1) & y0.simd_lt(y1);
 
     // Facing. The area is that of the corners as given, positive clockwise.
@@ -276,7 +273,15 @@ pub(crate) fn bin<L: Simd>(
     }
     let nothing = tiny_bits & !bits(covered.simd_ne(0));
     let mut todo = (live & !nothing) | scalar;
-    let scalar = scalar | if job.state.scissor.is_some() { live & !tiny_bits } else { 0 };
+    // Blocks reach beyond a box, so what a scissor cuts takes the way of the strips.
+    let scissored = if job.state.scissor.is_some() {
+        let inside =
+            x0.simd_eq(whole[0]) & y0.simd_eq(whole[1]) & x1.simd_eq(whole[2]) & y1.simd_eq(whole[3]);
+        live & !tiny_bits & !bits(inside)
+    } else {
+        0
+    };
+    let scalar = scalar | scissored;
     // Scissored ones were counted above, and are counted again by the scalar way.
     let again = u64::from((scalar & live).count_ones());
     stats.drawn -= again;

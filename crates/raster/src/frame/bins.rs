@@ -8,7 +8,7 @@
 //! ```
 //!
 //! A triangle of a few pixels is settled before it is binned: its *fragments* go to the tile. Others are prepared
-//! and named by every tile that they may touch, with their greatest depth there, so that a tile can pass over what
+//! and named by every tile that they may touch, with a depth that they do not exceed there, so that a tile can pass over what
 //! is hidden without looking at it. A tile reads its lists from front to back, as memory likes it.
 
 use alloc::vec::Vec;
@@ -36,7 +36,7 @@ pub(crate) const fn place(x: u32, y: u32) -> u32 {
 pub(crate) struct Entry {
     /// What it is: see [`Kind`].
     pub(crate) key: u32,
-    /// A fragment's depth, or the greatest that a triangle has in the tile.
+    /// A fragment's depth, or one that a triangle does not exceed in the tile.
     pub(crate) z: f32,
     pub(crate) value: u32,
 }
@@ -76,7 +76,7 @@ impl Entry {
     }
 }
 
-/// A triangle of at most 128 pixels' extent: all of its edge values fit an `i32`. A cache line.
+/// A triangle of less than 128 pixels' extent: all of its edge values fit an `i32`. A cache line.
 ///
 /// Its three edges stand in the order in which the depth formula takes them: the two that count, then the one
 /// opposite to the anchor.
@@ -165,20 +165,25 @@ pub(crate) const NO_BOUND: f32 = -1.0;
 /// What one thread bins of one draw, or of several draws in turn.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segment {
+    /// One for each tile, or more: of a larger picture that was.
     pub(crate) bins: Vec<Bin>,
+    /// No list is longer than this.
+    pub(crate) records: usize,
     pub(crate) large: Vec<Large>,
 }
 
 impl Segment {
     /// Empties it for a picture of so many tiles; the memory stays.
     pub(crate) fn clear(&mut self, tiles: usize) {
-        self.bins.truncate(tiles);
         for bin in &mut self.bins {
             bin.entries.clear();
             bin.small.clear();
             bin.bound = NO_BOUND;
         }
-        self.bins.resize_with(tiles, || Bin::EMPTY);
+        if self.bins.len() < tiles {
+            self.bins.resize_with(tiles, || Bin::EMPTY);
+        }
+        self.records = 0;
         self.large.clear();
     }
 }

@@ -70,7 +70,7 @@ impl Frame {
         })
     }
 
-    /// Writes the picture: `put` makes up to four pixels, from the first one's place, values and depths; it is cloned
+    /// Writes the picture: `put` makes some pixels of a row, from the first one's place, values and depths; it is cloned
     /// for each row of tiles.
     fn write<P: Copy + Send>(
         &mut self,

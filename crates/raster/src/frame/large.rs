@@ -3,7 +3,7 @@
 //! ```text
 //!      ┌────┬────┬────┐        outside: the tile does not hear of it
 //!      │    │ ╱  │    │        crossed: strips say which pixels; whole vectors of eight are tested and chosen from
-//!      ├────┼╱───┼────┤        inside:  every pixel, no question asked; and what is farther in this tile than
+//!      ├────┼╱───┼────┤        inside:  strips as wide as the tile; and what is farther in this tile than
 //!      │   ╱│ in │ in │                 the triangle's least depth will never be seen
 //!      └──╱─┴────┴────┘
 //! ```
@@ -22,13 +22,13 @@ use crate::{Rect, Triangle};
 /// Bins a triangle of any size.
 pub(crate) fn bin(job: &Job<'_>, triangle: &Triangle, value: u32, segment: &mut Segment) {
     let sample = job.state.sample;
-    let plane = triangle.depth(sample);
-    segment.large.push(Large { triangle: *triangle, plane, clip: job.clip, draw: job.draw });
     let rows = triangle.rows(sample, job.clip);
     let columns = triangle.columns(sample, job.clip);
     if rows.is_empty() || columns.is_empty() {
         return;
     }
+    let plane = triangle.depth(sample);
+    segment.large.push(Large { triangle: *triangle, plane, clip: job.clip, draw: job.draw });
     let edges = [0, 1, 2].map(|k| Edge::opposite(triangle, k));
     let edges = edges.map(|edge| (edge.at_pixels(sample), edge.is_top_left()));
     let occludes = job.occludes();

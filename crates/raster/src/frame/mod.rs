@@ -52,10 +52,11 @@ pub enum Triangles<'a> {
     Consecutive,
 }
 
-/// A draw needs at least so many triangles for each thread that shares it.
+/// A draw needs at least so many triangles for each thread that shares it, and no fewer than there are tiles: each
+/// thread has a list for every tile.
 const SHARE: usize = 2_048;
 /// A draw is cut into pieces of so many triangles, so that no segment overflows.
-const PIECE: usize = 1 << 24;
+const PIECE: usize = 1 << 23;
 
 /// One draw call: how its triangles are tested, and which of equals wins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,8 +65,7 @@ struct Drawn {
     order: u32,
 }
 
-/// A picture in the making. It keeps its memory from frame to frame: once it has seen the largest, it allocates no
-/// more.
+/// A picture in the making. It keeps its memory from frame to frame: to draw the same again allocates nothing.
 ///
 /// ```
 /// use polosa_raster::{Depth, Frame, State, StoredDepth, Target, Triangles, Vertices};
@@ -161,7 +161,7 @@ impl Frame {
     ///
     /// # Errors
     ///
-    /// When a side is 0 or more than [`MAX_SIDE`].
+    /// When a side is 0 or more than [`MAX_SIDE`]; the last picture is then still there.
     pub fn begin(&mut self, size: [u32; 2], value: u32, depth: StoredDepth) -> Result<(), TargetError> {
         let [width, height] = size;
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
@@ -254,10 +254,11 @@ impl Frame {
         if let Triangles::Indexed(_) = triangles {
             self.snap(&snapper, &vertices);
         }
+        let tiles = self.tiles[0] as usize * self.tiles[1] as usize;
         let mut stats = Stats::default();
         for first in (0..count).step_by(PIECE) {
             let piece = first..count.min(first + PIECE);
-            let threads = (piece.len() / SHARE).clamp(1, self.threads);
+            let threads = (piece.len() / SHARE.max(tiles)).clamp(1, self.threads);
             let level = self.level.inner();
             let (segments, snapped) = self.segments(threads, piece.len());
             let binned = workers::shared(segments, &|number, segment| {
@@ -335,11 +336,9 @@ impl Frame {
     /// Segments for so many threads to bin triangles into, after all that were binned before; and the vertices.
     fn segments(&mut self, threads: usize, triangles: usize) -> (&mut [Segment], &[Snapped]) {
         // Clipping makes seven pieces of a triangle at most.
-        let room = |segment: &Segment| {
-            let fullest = segment.bins.iter().map(|bin| bin.small.len()).max().unwrap_or(0);
-            segment.large.len().max(fullest) + 7 * triangles < RECORDS
-        };
-        let goes_on = threads == 1 && self.used > 0 && room(&self.segments[self.used - 1]);
+        let records = 7 * triangles.div_ceil(threads);
+        let goes_on =
+            threads == 1 && self.used > 0 && self.segments[self.used - 1].records + records < RECORDS;
         let first = if goes_on { self.used - 1 } else { self.used };
         let tiles = self.tiles[0] as usize * self.tiles[1] as usize;
         while self.used < first + threads {
@@ -349,7 +348,9 @@ impl Frame {
             self.segments[self.used].clear(tiles);
             self.used += 1;
         }
-        (&mut self.segments[first..self.used], &self.snapped)
+        let segments = &mut self.segments[first..self.used];
+        segments.iter_mut().for_each(|segment| segment.records += records);
+        (segments, &self.snapped)
     }
 
     /// Whether a tile may pass over what its bound hides: where no draw lets a farther depth replace a nearer one.
