@@ -179,8 +179,8 @@ fn one_row_may_have_any_stride() {
     let mut color = [0_u8; 4];
     let mut target = Target::new(&mut color, Depth::None, 4, 1, usize::MAX).unwrap();
     for rows in [1, 2, u32::MAX] {
-        let bands: Vec<_> = target.bands(rows).map(|band| band.rows().clone()).collect();
-        assert_eq!(bands, [0..1], "bands of {rows} rows");
+        let mut bands = target.bands(rows).map(|band| band.rows().clone());
+        assert_eq!((bands.next(), bands.next()), (Some(0..1), None), "bands of {rows} rows");
     }
     let mut depth = [0.0; 4];
     target.with_depth(Depth::F32(&mut depth)).unwrap().clear(7, DepthTest::Greater);
