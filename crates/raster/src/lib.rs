@@ -82,6 +82,8 @@ mod fill;
 mod frame;
 mod line;
 mod outline;
+#[cfg(feature = "alloc")]
+pub mod reference;
 mod setup;
 mod shade;
 mod snap;
