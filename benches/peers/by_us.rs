@@ -1,6 +1,6 @@
 //! polosa: soups by the raster core, lit meshes by the scene's renderer.
 
-use polosa_raster::Cull;
+use polosa_raster::{Cull, DepthTest};
 use polosa_scene::{Light, Mesh, Object, Renderer, Style, World};
 
 use crate::contestant::{Contestant, time};
@@ -9,7 +9,7 @@ use polosa_benches::ours::{Path, Picture};
 
 /// Everything of ours that can draw a job.
 pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant + 'a>> {
-    let mut all: Vec<Box<dyn Contestant + 'a>> = Vec::new();
+    let mut all: Vec<Box<dyn Contestant + 'a>> = vec![Box::new(Floor(Picture::new(job.size)))];
     for &threads in threads {
         match &job.lit {
             Some(lit) => all.push(Box::new(Whole::new(job, lit, threads))),
@@ -21,6 +21,31 @@ pub(crate) fn all<'a>(job: &'a Job, threads: &[usize]) -> Vec<Box<dyn Contestant
         }
     }
     all
+}
+
+/// Nothing but clearing colour and depth: what every frame writes at least.
+struct Floor(Picture);
+
+impl Contestant for Floor {
+    fn name(&self) -> String {
+        "clearing alone".to_owned()
+    }
+
+    fn threads(&self) -> usize {
+        1
+    }
+
+    fn draws(&self) -> bool {
+        false
+    }
+
+    fn frames(&mut self, count: u32) -> Result<Vec<u64>, String> {
+        Ok(time(count, || self.0.target().clear(0, DepthTest::Greater)))
+    }
+
+    fn picture(&mut self) -> Result<Vec<u32>, String> {
+        Ok(self.0.color.clone())
+    }
 }
 
 /// The raster core.

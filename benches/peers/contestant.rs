@@ -11,6 +11,11 @@ pub(crate) trait Contestant {
     /// Clears and draws some frames; how long each took, in nanoseconds.
     fn frames(&mut self, count: u32) -> Result<Vec<u64>, String>;
 
+    /// Whether it draws at all: what does not is a floor that no renderer gets below, and is compared with nobody.
+    fn draws(&self) -> bool {
+        true
+    }
+
     /// The last frame: `0x00RRGGBB`, rows from top to bottom.
     fn picture(&mut self) -> Result<Vec<u32>, String>;
 }

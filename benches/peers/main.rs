@@ -82,7 +82,7 @@ fn run(options: &Options) -> Result<(), String> {
         let job = Job::named(name).ok_or_else(|| format!("no workload {name:?}"))?;
         let table = measure(&job, options, harness.as_deref(), &mut renderer)?;
         println!("{}", table.text());
-        for row in table.rows.iter().filter(|row| !row.difference.comparable()) {
+        for row in table.rows.iter().filter(|row| !row.comparable()) {
             eprintln!("WARNING: {} on {name} drew another picture; its time says nothing.\n", row.name);
         }
         tables.push(table);
@@ -143,19 +143,25 @@ fn measure(
     for (index, contestant) in contestants.iter_mut().enumerate() {
         let times = contestant.frames(2)?;
         frames.push((TURN_NS / times[1].max(1)).clamp(1, 20) as u32);
+        let mut row = Row {
+            name: contestant.name(),
+            threads: contestant.threads(),
+            times: Vec::new(),
+            difference: None,
+            ours: index < ours && contestant.draws(),
+        };
+        if !contestant.draws() {
+            rows.push(row);
+            continue;
+        }
         let picture = contestant.picture()?;
         if let Some(folder) = &options.pictures {
             dump(folder, job, &contestant.name(), &picture)?;
         }
-        let difference = Difference::of(first.as_ref().unwrap_or(&picture), &picture, job.lit.is_some());
+        row.difference =
+            Some(Difference::of(first.as_ref().unwrap_or(&picture), &picture, job.lit.is_some()));
         first.get_or_insert(picture);
-        rows.push(Row {
-            name: contestant.name(),
-            threads: contestant.threads(),
-            times: Vec::new(),
-            difference,
-            ours: index < ours,
-        });
+        rows.push(row);
     }
 
     for round in 0..options.rounds {

@@ -14,12 +14,18 @@ pub(crate) struct Row {
     pub(crate) threads: usize,
     /// Nanoseconds a frame, sorted.
     pub(crate) times: Vec<u64>,
-    pub(crate) difference: Difference,
-    /// Whether it is one of ours.
+    /// How its picture differs, if it draws one.
+    pub(crate) difference: Option<Difference>,
+    /// Whether it is one of ours, and draws.
     pub(crate) ours: bool,
 }
 
 impl Row {
+    /// Whether its times may be compared with ours: not those of another picture.
+    pub(crate) fn comparable(&self) -> bool {
+        self.difference.is_none_or(|difference| difference.comparable())
+    }
+
     fn median(&self) -> f64 {
         self.times.get(self.times.len() / 2).map_or(f64::NAN, |&ns| ns as f64 * 1e-6)
     }
@@ -60,29 +66,17 @@ impl Table {
         for row in &self.rows {
             let (median, min) = (row.median(), row.min());
             let ratio = median / self.ours(row.threads);
-            let share = 100.0 * row.difference.share;
-            let _ = write!(
-                text,
-                "  {:<26} {:>7} {median:>10.3} {min:>10.3} {ratio:>9.2}  {share:>8.4}%",
-                row.name, row.threads
-            );
-            if !row.difference.comparable() {
-                let _ = write!(text, "  NOT COMPARABLE: {}", self.why_not(row));
+            let _ =
+                write!(text, "  {:<26} {:>7} {median:>10.3} {min:>10.3} {ratio:>9.2}", row.name, row.threads);
+            if let Some(difference) = &row.difference {
+                let _ = write!(text, "  {:>8.4}%", 100.0 * difference.share);
+                if !difference.comparable() {
+                    let _ = write!(text, "  NOT COMPARABLE: {}", why_not(difference));
+                }
             }
             text.push('\n');
         }
         text
-    }
-
-    fn why_not(&self, row: &Row) -> String {
-        let Difference { coverage, covered: [ours, theirs], .. } = row.difference;
-        format!(
-            "more than {} % of the pixels differ, {:.3} % by coverage; we cover {:.2} %, they {:.2} %",
-            100.0 * MOST,
-            100.0 * coverage,
-            100.0 * ours,
-            100.0 * theirs
-        )
     }
 
     pub(crate) fn json(&self) -> Value {
@@ -98,9 +92,9 @@ impl Table {
                     "median_ms": row.median(),
                     "min_ms": row.min(),
                     "times_ours": row.median() / self.ours(row.threads),
-                    "differs": row.difference.share,
-                    "differs_in_coverage": row.difference.coverage,
-                    "comparable": row.difference.comparable(),
+                    "differs": row.difference.map(|difference| difference.share),
+                    "differs_in_coverage": row.difference.map(|difference| difference.coverage),
+                    "comparable": row.comparable(),
                 })
             })
             .collect();
@@ -109,6 +103,17 @@ impl Table {
             "workload": self.workload, "triangles": self.triangles, "width": width, "height": height, "rows": rows,
         })
     }
+}
+
+fn why_not(difference: &Difference) -> String {
+    let Difference { coverage, covered: [ours, theirs], .. } = difference;
+    format!(
+        "more than {} % of the pixels differ, {:.3} % by coverage; we cover {:.2} %, they {:.2} %",
+        100.0 * MOST,
+        100.0 * coverage,
+        100.0 * ours,
+        100.0 * theirs
+    )
 }
 
 /// Where figures are from: pairs of a word and a line.
