@@ -31,14 +31,28 @@ pub struct Sampled {
 /// The working memory of one thread.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Hand {
-    depths: Vec<[f32; AREA]>,
-    values: Vec<[u32; AREA]>,
+    depths: Vec<Apart<f32>>,
+    values: Vec<Apart<u32>>,
     /// Whether anything was drawn in a tile.
     live: Vec<bool>,
     turns: Vec<Turn>,
     /// A row of what pixels hold where nothing was drawn.
     no_depths: Vec<f32>,
     no_values: Vec<u32>,
+}
+
+/// A tile's memory, and room behind it: were tiles a power of two apart, the same rows of all tiles would share a few
+/// sets of the nearest cache, which then holds none of them until the next row is written.
+#[derive(Clone, Copy, Debug)]
+struct Apart<T> {
+    tile: [T; AREA],
+    _room: [T; AREA / 16],
+}
+
+impl<T: Copy> Apart<T> {
+    const fn new(value: T) -> Self {
+        Self { tile: [value; AREA], _room: [value; AREA / 16] }
+    }
 }
 
 impl Frame {
@@ -110,15 +124,16 @@ impl Hand {
     #[inline(always)]
     fn draw<L: Simd>(&mut self, simd: L, scene: &Scene<'_>, row: u32) {
         let columns = scene.frame.tiles[0] as usize;
-        self.depths.resize(columns, [0.0; AREA]);
-        self.values.resize(columns, [0; AREA]);
+        self.depths.resize(columns, Apart::new(0.0));
+        self.values.resize(columns, Apart::new(0));
         self.live.clear();
         self.no_values.clear();
         self.no_values.resize(columns * SIDE as usize, scene.frame.value);
         self.no_depths.clear();
         self.no_depths.resize(columns * SIDE as usize, scene.frame.cleared());
         for (column, (depths, values)) in (0..).zip(self.depths.iter_mut().zip(&mut self.values)) {
-            let live = scene.tile(simd, [column, row], &mut Tile { depths, values }, &mut self.turns);
+            let mut tile = Tile { depths: &mut depths.tile, values: &mut values.tile };
+            let live = scene.tile(simd, [column, row], &mut tile, &mut self.turns);
             self.live.push(live);
         }
     }
@@ -147,8 +162,8 @@ impl Hand {
                 }
                 row.write(run, pixels, |x, to| {
                     let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
-                    let values = row.values(simd, &self.values[tile], group);
-                    let depths = row.depths(simd, &self.depths[tile], group);
+                    let values = row.values(simd, &self.values[tile].tile, group);
+                    let depths = row.depths(simd, &self.depths[tile].tile, group);
                     put([column(x), y], &values[..to.len()], &depths[..to.len()], to);
                 });
             }
@@ -181,7 +196,7 @@ impl Hand {
             }
             row.write(run, to, |x, to| {
                 let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
-                let depths = row.depths(simd, &self.depths[tile], group);
+                let depths = row.depths(simd, &self.depths[tile].tile, group);
                 store(&depths[..to.len()], to);
             });
         }

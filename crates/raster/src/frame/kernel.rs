@@ -29,8 +29,14 @@ pub(crate) fn half_y<L: Simd>(simd: L) -> i32x8<L> {
 
 /// What becomes of a depth and a stored one.
 pub(crate) trait Test: Copy {
-    /// The depth as it is compared and stored, which pixels take the new value, and which the new depth.
-    fn lanes<L: Simd>(self, simd: L, new: f32x8<L>, old: f32x8<L>) -> (f32x8<L>, mask32x8<L>, mask32x8<L>);
+    /// The depth to store, and which pixels take the new value: none but those that are `inside`.
+    fn lanes<L: Simd>(
+        self,
+        simd: L,
+        new: f32x8<L>,
+        inside: mask32x8<L>,
+        old: f32x8<L>,
+    ) -> (f32x8<L>, mask32x8<L>);
 
     /// The same for one pixel.
     fn one(self, new: f32, old: f32) -> (f32, bool, bool);
@@ -39,15 +45,22 @@ pub(crate) trait Test: Copy {
     fn is_hidden(self, z: f32, bound: f32) -> bool;
 }
 
-/// The nearer, stored as it is: what nearly every draw asks for.
+/// The nearer, stored as it is: what nearly every draw asks for. No stored depth may be NaN.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearer;
 
 impl Test for Nearer {
+    /// By the greater of two numbers, not by choice: compilers make masked stores of choices, which are slow.
     #[inline(always)]
-    fn lanes<L: Simd>(self, _: L, new: f32x8<L>, old: f32x8<L>) -> (f32x8<L>, mask32x8<L>, mask32x8<L>) {
-        let nearer = new.simd_gt(old);
-        (new, nearer, nearer)
+    fn lanes<L: Simd>(
+        self,
+        simd: L,
+        new: f32x8<L>,
+        inside: mask32x8<L>,
+        old: f32x8<L>,
+    ) -> (f32x8<L>, mask32x8<L>) {
+        let new = inside.select(new, f32x8::splat(simd, f32::NEG_INFINITY));
+        (new.max(old), new.simd_gt(old))
     }
 
     #[inline(always)]
@@ -72,7 +85,13 @@ pub(crate) struct Any {
 
 impl Test for Any {
     #[inline(always)]
-    fn lanes<L: Simd>(self, simd: L, new: f32x8<L>, old: f32x8<L>) -> (f32x8<L>, mask32x8<L>, mask32x8<L>) {
+    fn lanes<L: Simd>(
+        self,
+        simd: L,
+        new: f32x8<L>,
+        inside: mask32x8<L>,
+        old: f32x8<L>,
+    ) -> (f32x8<L>, mask32x8<L>) {
         let new = if self.quantised {
             let (low, high) = new.widen();
             let steps = f64::from(u16::MAX - 1);
@@ -84,8 +103,9 @@ impl Test for Any {
             DepthTest::Greater => new.simd_gt(old),
             DepthTest::Less => new.simd_lt(old),
             DepthTest::Off => mask32x8::splat(simd, true),
-        };
-        (new, passes, passes & mask32x8::splat(simd, self.write))
+        } & inside;
+        let writes = passes & mask32x8::splat(simd, self.write);
+        (writes.select(new, old), passes)
     }
 
     #[inline(always)]
@@ -129,10 +149,10 @@ impl Tile<'_> {
         let depths = &mut self.depths.as_chunks_mut::<8>().0[at];
         let values = &mut self.values.as_chunks_mut::<8>().0[at];
         let old = f32x8::load_array_ref(simd, depths);
-        let (new, draws, writes) = test.lanes(simd, z, old);
-        (writes & inside).select(new, old).store_array(depths);
+        let (depth, draws) = test.lanes(simd, z, inside, old);
+        depth.store_array(depths);
         let there = u32x8::load_array_ref(simd, values);
-        (draws & inside).select(u32x8::splat(simd, value), there).store_array(values);
+        draws.select(u32x8::splat(simd, value), there).store_array(values);
     }
 
     /// Fills a small triangle's part of the tile whose first pixel is (x, y).

@@ -368,7 +368,7 @@ impl Frame {
 
     /// Whether every draw is of the plainest kind.
     fn is_plain(&self) -> bool {
-        matches!(self.depth, StoredDepth::F32(_))
+        matches!(self.depth, StoredDepth::F32(cleared) if !cleared.is_nan())
             && self.draws.iter().all(|draw| draw.state.test == DepthTest::Greater && draw.state.write)
     }
 }
