@@ -1,8 +1,9 @@
 //! 3D pictures without a GPU: exact, and the same bytes on every machine.
 //!
-//! This is the library of the program `polosa`: pictures as files ([`encode`], [`pfm`], [`output`]), and the
-//! [command line](cli) itself. What draws is in the layers below, which are re-exported so that one dependency is
-//! enough: [`scene`] (meshes, importers, world, camera), [`raster`] (triangles into slices), [`math`].
+//! This is the library of the program `polosa`: pictures as files ([`encode`], [`pfm`], [`output`]), read back
+//! ([`decode`]) and held against each other ([`compare`]), and the [command line](cli) itself. What draws is in the
+//! layers below, which are re-exported so that one dependency is enough: [`scene`] (meshes, importers, world,
+//! camera), [`raster`] (triangles into slices), [`math`].
 //!
 //! # A picture of a model
 //!
@@ -40,6 +41,8 @@
 #![forbid(unsafe_code)]
 
 pub mod cli;
+pub mod compare;
+pub mod decode;
 pub mod demo;
 pub mod encode;
 pub mod error;
