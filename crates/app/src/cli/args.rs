@@ -236,6 +236,17 @@ pub(super) fn frames(text: &str) -> Result<NonZeroUsize, String> {
     frames.ok_or_else(|| format!("write a whole number of frames, from 1 to {MOST_FRAMES}"))
 }
 
+/// The largest difference that is let pass.
+pub(super) fn threshold(text: &str) -> Result<f64, String> {
+    let threshold = number(text).ok().filter(|threshold| *threshold >= 0.0);
+    threshold.ok_or_else(|| "write a number, 0 or more".to_owned())
+}
+
+/// A number of pixels.
+pub(super) fn pixels(text: &str) -> Result<u64, String> {
+    whole(text, u64::MAX).ok_or_else(|| "write a whole number of pixels, 0 or more".to_owned())
+}
+
 /// A whole number, up to `most`.
 fn whole(text: &str, most: u64) -> Option<u64> {
     text.trim().parse().ok().filter(|count| *count <= most)
@@ -301,8 +312,8 @@ mod tests {
     use polosa_math::glam::DVec3;
 
     use super::{
-        ModelArg, OutputArg, Resolution, direction, frames, length, resolution, threads, up, vector,
-        view_angle,
+        ModelArg, OutputArg, Resolution, direction, frames, length, pixels, resolution, threads, threshold,
+        up, vector, view_angle,
     };
     use crate::output::Destination;
     use crate::view::Up;
@@ -326,6 +337,11 @@ mod tests {
         for text in ["", "0", "-1", "1.5", "2e1", "257", "99999999999999999999999"] {
             assert!(threads(text).unwrap_err().contains("from 1 to 256"), "{text}");
         }
+        assert_eq!((threshold("2.5"), pixels("0")), (Ok(2.5), Ok(0)));
+        for text in ["", "-1", "x", "nan", "inf"] {
+            assert!(threshold(text).is_err() && pixels(text).is_err(), "{text}");
+        }
+        assert!(pixels("1.5").unwrap_err().contains("whole number"));
         for text in ["", "0", "-1", "1.5", "1000001", "99999999999999999999999"] {
             assert!(frames(text).unwrap_err().contains("from 1 to 1000000"), "{text}");
         }

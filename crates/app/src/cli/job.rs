@@ -136,7 +136,7 @@ fn shown(output: &OutputArg) -> String {
 }
 
 /// The format of an output. What has no extension to go by (standard output, a device, a pipe) gets PNG.
-fn format(option: &str, output: &OutputArg) -> Result<ImageFormat, Error> {
+pub(super) fn format(option: &str, output: &OutputArg) -> Result<ImageFormat, Error> {
     if output.is_stdout() {
         return Ok(ImageFormat::Png);
     }
@@ -149,7 +149,7 @@ fn format(option: &str, output: &OutputArg) -> Result<ImageFormat, Error> {
 }
 
 /// Whether something is there that is neither file nor folder, such as `/dev/null` or a pipe.
-fn is_special(path: &Path) -> bool {
+pub(super) fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
@@ -159,7 +159,7 @@ fn is_bottomless(destination: &Destination) -> bool {
 }
 
 /// The same for two names of one file.
-fn identity(destination: &Destination) -> PathBuf {
+pub(super) fn identity(destination: &Destination) -> PathBuf {
     match destination {
         Destination::Stdout => PathBuf::from("-"),
         Destination::File(path) => {

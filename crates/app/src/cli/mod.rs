@@ -5,11 +5,13 @@
 //!          (args.rs)  models   camera      (scene)                  rename
 //! ```
 //!
-//! Exit status: 0 when all is done, 1 when something was not, 2 for wrong usage. Every failure is one line on
+//! Exit status: 0 when all is done, 1 when something was not, 2 for wrong usage; of `compare`, as of `cmp`: 0 when the
+//! pictures are the same, 1 when they differ, 2 when that could not be found out. Every failure is one line on
 //! standard error.
 
 mod args;
 mod bench;
+mod compare;
 mod info;
 mod job;
 mod load;
@@ -49,6 +51,7 @@ Examples:
   polosa render shape:teapot -o teapot.png  a standard shape
   polosa info bunny.obj                     counts, bounds, materials, holes
   polosa bench bunny.obj                    how fast this machine draws it
+  polosa compare old.png new.png            what differs, and by how much
   polosa render --help                      all options, all shapes";
 
 #[derive(Debug, Subcommand)]
@@ -56,6 +59,7 @@ enum Command {
     Render(Box<render_args::RenderArgs>),
     Info(info::InfoArgs),
     Bench(Box<bench::BenchArgs>),
+    Compare(compare::CompareArgs),
 }
 
 /// Does what the arguments, the program's name first, ask for; the program's exit status.
@@ -73,6 +77,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Info(args)) => info::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
+        Some(Command::Compare(args)) => compare::run(&args),
         None => guard::caught(Path::new(crate::demo::FILE), demo),
     };
     match done {
