@@ -2,15 +2,16 @@
 //! differential analyser), as many small rasterisers do.
 //!
 //! ```text
-//!             ● top                    long side: top to bottom, in one go
-//!            ╱ ╲                       other side: top to middle, then from the middle anew
-//!           ╱───● middle
-//!          ╱ ╱
-//!         ● bottom                     x += slope   a rounding a row
+//!             ● top                    the long side is cut at the height of the middle corner,
+//!            ╱ ╲                       so that each half is two sides between two level lines
+//!      cut  ┼───● middle
+//!          ╱ ╱                         x += slope   a rounding a row
+//!         ● bottom
 //! ```
 //!
-//! The errors of the steps add up, so that two triangles that share a side reach different ends of it; neighbours
-//! leave pixels out or share them.
+//! The place of the cut is rounded, and from there on the long side is another line than the one the neighbour sees,
+//! which cuts it elsewhere or not at all; then the errors of the steps add up. Neighbours leave pixels out or share
+//! them.
 
 use super::float_edges::{narrow, single};
 use super::grid::Grid;
@@ -39,22 +40,20 @@ pub(super) fn cover(grid: &Grid, corners: &[Corner; 3], visit: &mut (impl Visit 
         }
     }
     let [top, middle, bottom] = sorted;
-    let [ux, uy, vx, vy] = [middle[0] - top[0], middle[1] - top[1], bottom[0] - top[0], bottom[1] - top[1]];
-    let middle_right = ux * vy - uy * vx > 0.0;
-    let mut long = None;
-    for (a, b) in [(top, middle), (middle, bottom)] {
+    let t = (middle[1] - top[1]) / (bottom[1] - top[1]);
+    let cut = [top[0] + (bottom[0] - top[0]) * t, middle[1], 0.0];
+    let (left, right) = if middle[0] < cut[0] { (middle, cut) } else { (cut, middle) };
+    for [(a, b), (c, d)] in [[(top, left), (top, right)], [(left, bottom), (right, bottom)]] {
         let rows = grid.rows(a[1].into(), b[1].into());
         let y = single(grid.y(rows.start));
-        let mut short = Walk::new(a, b, y);
+        let (mut left, mut right) = (Walk::new(a, b, y), Walk::new(c, d, y));
         for j in rows {
-            let through = long.get_or_insert_with(|| Walk::new(top, bottom, y));
-            let (left, right) = if middle_right { (through.x, short.x) } else { (short.x, through.x) };
-            let columns = grid.columns(left.into(), right.into());
+            let columns = grid.columns(left.x.into(), right.x.into());
             if !columns.is_empty() {
                 visit.row(j, columns);
             }
-            through.x += through.slope;
-            short.x += short.slope;
+            left.x += left.slope;
+            right.x += right.slope;
         }
     }
 }

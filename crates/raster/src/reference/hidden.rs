@@ -12,12 +12,12 @@ methods! {
         Order, "order", "S0's first stage, S2: none, what is drawn last stays; right for no solid from all sides";
         Painter, "painter", "far to near by the depth of the centroid: wrong where triangles cross or overlap in a ring";
         Sum, "sum", "S3: z1 + z2 + z3, one depth a triangle: wrong where triangles cross, or are long";
-        StripLinear, "strip-linear", "S4 as meant: f64 between the ends of the vertical strip; slivers and short strips lose digits";
+        StripLinear, "strip-linear", "S4 as meant: f64 between the ends of the vertical strip; accurate, in a memory twice as large";
         StripPrinted, "strip-printed", "S4 as printed: without the strip's own depth, so that parallel planes tie";
         Barycentric, "barycentric", "S0: f64 from the weights at each pixel; accurate, and three divisions a pixel";
         PlaneF32Origin, "plane-f32-origin", "an f32 plane from the screen's corner: small triangles far from it lose most digits";
         PlaneF32Vertex, "plane-f32-vertex", "an f32 plane from the first vertex: slivers lose most digits";
-        PlaneF64, "plane-f64", "an f64 plane from the first vertex, rounded once to f32: half a unit, more on slivers";
+        PlaneF64, "plane-f64", "an f64 plane from the first vertex, rounded once to f32: half a unit of 2⁻²⁴ of the largest depth";
     }
 }
 
