@@ -58,6 +58,7 @@ mod object;
 pub mod occluder;
 mod outline;
 pub mod picture;
+pub mod reference;
 mod shades;
 pub mod shape;
 mod share;
