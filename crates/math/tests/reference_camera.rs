@@ -243,7 +243,7 @@ fn s0_and_s3_turn_their_heading_in_opposite_senses() {
     for (heading, pitch) in [(0.3, 0.0), (2.0, 0.5), (-1.0, 1.2)] {
         assert_eq!(angles::rotation(Seed::S0, heading, pitch), angles::rotation(Seed::S3, -heading, pitch));
     }
-    // Heading 90°: S0 brings the observer's axis z to … the left, S3 to the right.
+    // By a heading of 90° S0 brings what was nearest to the left, S3 to the right.
     let right = |seed| {
         let m = angles::rotation(seed, core::f64::consts::FRAC_PI_2, 0.0);
         angles::pixels(seed, &m, [0.0, 0.0, 100.0], 400, 400)[0]

@@ -25,7 +25,7 @@ use crate::rotation::{axis_angle, turn};
 /// A way to turn by many small steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Turning {
-    /// Unit quaternions in `f64`, scaled to unit length at each step: [`turn`](crate::turn), which all of polosa
+    /// Unit quaternions in `f64`, scaled to unit length at each step: [`turn`], which all of polosa
     /// turns by.
     #[default]
     Quaternion,

@@ -13,7 +13,10 @@ use std::cmp::Ordering;
 /// Whole numbers of base 2³², the lowest digit first: as many as any product below needs.
 type Wide = [u64; 16];
 
-fn product(factors: &[(u64, u32)]) -> Wide {
+/// A number, and how often it is multiplied.
+type Power = (u64, u32);
+
+fn product(factors: &[Power]) -> Wide {
     let mut wide = [0; 16];
     wide[0] = 1;
     for &(factor, times) in factors {
@@ -30,21 +33,21 @@ fn product(factors: &[(u64, u32)]) -> Wide {
 }
 
 /// The fifth power of the light of a code given in halves, as numerator and denominator.
-fn fifth_power(halves: u64) -> ([(u64, u32); 1], [(u64, u32); 1]) {
+fn fifth_power(halves: u64) -> [Power; 2] {
     // 0.04045 · 255 is 10.31475: codes up to 10, and halves up to 20.
     if halves <= 20 {
-        ([(100 * halves, 5)], [(2 * 329_460, 5)])
+        [(100 * halves, 5), (2 * 329_460, 5)]
     } else {
-        ([(1000 * halves + 2 * 14_025, 12)], [(2 * 269_025, 12)])
+        [(1000 * halves + 2 * 14_025, 12), (2 * 269_025, 12)]
     }
 }
 
 /// How the light of `code` times `thousandths`/1000 compares with that halfway between `below` and the next code.
 fn compare(code: u8, thousandths: u16, below: u8) -> Ordering {
-    let (a, b) = fifth_power(2 * u64::from(code));
-    let (c, d) = fifth_power(2 * u64::from(below) + 1);
-    let light = product(&[a[0], (thousandths.into(), 5), d[0]]);
-    let halfway = product(&[c[0], (1000, 5), b[0]]);
+    let [a, b] = fifth_power(2 * u64::from(code));
+    let [c, d] = fifth_power(2 * u64::from(below) + 1);
+    let light = product(&[a, (thousandths.into(), 5), d]);
+    let halfway = product(&[c, (1000, 5), b]);
     light.iter().rev().cmp(halfway.iter().rev())
 }
 
