@@ -16,8 +16,8 @@
 //!
 //! # The same bits everywhere
 //!
-//! All functions here but those of [`mod@reference`] work in `f64` with + − × ÷ √ in a fixed order, and take sines and tangents from `libm`, never
-//! from the platform. Three facts about glam 0.34 make its double types fit for that:
+//! All functions here but those of [`mod@reference`] work in `f64` with + − × ÷ √ in a fixed order, and take sines
+//! and tangents from `libm`, never from the platform. Three facts about glam 0.34 make its double types fit for that:
 //!
 //! - `DVec3`, `DQuat`, `DMat4` and the others are plain scalar code on all targets. Only the `f32` types come in
 //!   SSE2, NEON and WebAssembly versions, and these differ in their last bits: do not let them decide a pixel.
