@@ -88,7 +88,7 @@ fn meshes_larger_than_the_picture_draw_every_pixel_once() {
 /// Scene 5: around the centre of a fan of 64 spokes no pixel is missed and none is drawn twice.
 #[track_caller]
 fn fan_is_drawn_once(radius: f64, centre: Vertex) {
-    let mesh = fan(centre, radius * 256.0, 64);
+    let mesh = fan(centre, radius * 256.0);
     let picture = draw(&mesh, 1024, 1024);
     if radius > 2_000.0 {
         assert!(picture.color.iter().all(|&times| times == 1), "R = {radius}: {:?}", picture.painted().len());

@@ -176,8 +176,8 @@ fn weights_are_a_pixels_coordinates_in_the_basis_of_the_vertices() {
     for _ in 0..400 {
         // On the sub-pixel grid of a picture of 64 × 64, and w a power of two: snapping moves nothing.
         let v = [0; 3].map(|_| {
-            let [x, y] = [0; 2].map(|_| (rng.next() % (1 << 14)) as f32 / (1 << 13) as f32 - 1.0);
-            let w = (1_u32 << (rng.next() % 7)) as f32;
+            let [x, y] = [0; 2].map(|_| (rng.bits() % (1 << 14)) as f32 / (1 << 13) as f32 - 1.0);
+            let w = (1_u32 << (rng.bits() % 7)) as f32;
             [x * w, y * w, 0.5 * w, w]
         });
         let basis = Matrix::from_columns(v.map(|[x, y, _, w]| [x, y, w].map(f64::from)));

@@ -1,13 +1,16 @@
 //! Triangulations with integer vertices: no gap, no overlap, by construction.
 
-use super::oracle::{Vertex, edge};
+use super::circle::{part, turns};
 use super::rng::Rng;
+use crate::oracle::coverage::{Vertex, edge};
 
 /// Vertices in 1/256 px and triangles between them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Mesh {
-    pub(crate) vertices: Vec<Vertex>,
-    pub(crate) triangles: Vec<[u32; 3]>,
+pub struct Mesh {
+    /// In 1/256 px.
+    pub vertices: Vec<Vertex>,
+    /// Indices of three vertices each.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 impl Mesh {
@@ -23,7 +26,8 @@ impl Mesh {
 /// The rectangle from `low` to `high`, cut into n × n cells; inner vertices displaced by `move_by`.
 ///
 /// A displacement below a third of a cell keeps every triangle's winding.
-pub(crate) fn grid(low: Vertex, high: Vertex, n: i64, mut move_by: impl FnMut(Vertex) -> Vertex) -> Mesh {
+#[must_use]
+pub fn grid(low: Vertex, high: Vertex, n: i64, mut move_by: impl FnMut(Vertex) -> Vertex) -> Mesh {
     let mut mesh = Mesh::default();
     let index = |i: i64, j: i64| u32::try_from(j * (n + 1) + i).unwrap();
     for j in 0..=n {
@@ -43,21 +47,23 @@ pub(crate) fn grid(low: Vertex, high: Vertex, n: i64, mut move_by: impl FnMut(Ve
     mesh
 }
 
-/// A fan of `spokes` triangles around `centre`, its rim at `radius` 1/256 px.
-pub(crate) fn fan(centre: Vertex, radius: f64, spokes: u32) -> Mesh {
+/// A fan of 64 triangles around `centre`, its rim at `radius` 1/256 px.
+#[must_use]
+pub fn fan(centre: Vertex, radius: f64) -> Mesh {
     let mut mesh = Mesh { vertices: vec![centre], triangles: Vec::new() };
-    for k in 0..spokes {
-        let angle = f64::from(k) / f64::from(spokes) * std::f64::consts::TAU;
-        let end = |c: i64, d: f64| c + (radius * d).round() as i64;
-        mesh.vertices.push([end(centre[0], angle.cos()), end(centre[1], angle.sin())]);
-        mesh.triangles.push([0, 1 + k, 1 + (k + 1) % spokes]);
+    for k in 0..64 {
+        let direction = turns(part(6), k);
+        let end = |c: usize| centre[c] + (radius * direction[c]).round() as i64;
+        mesh.vertices.push([end(0), end(1)]);
+        mesh.triangles.push([0, 1 + k, 1 + (k + 1) % 64]);
     }
     mesh
 }
 
 /// A random triangulation of the rectangle from `low` to `high`: points split the triangle that
 /// they fall in, then edges are flipped towards Delaunay's rule where the quad is convex.
-pub(crate) fn scattered(low: Vertex, high: Vertex, points: usize, r: &mut Rng, grain: i64) -> Mesh {
+#[must_use]
+pub fn scattered(low: Vertex, high: Vertex, points: usize, r: &mut Rng, grain: i64) -> Mesh {
     let mut mesh = Mesh {
         vertices: vec![low, [high[0], low[1]], high, [low[0], high[1]]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],

@@ -6,18 +6,21 @@
 //! and the depth z = Σ λᵢzᵢ lies in [0, 1]. Each of the five conditions is a line on the screen,
 //! its coefficients integers, so that neither a vertex behind the eye nor one at w = 0 matters.
 
-use super::oracle::sample_point;
+use super::coverage::{CENTRE, Vertex, sample_point};
 
 /// Vertex coordinates are integers in 2⁻¹² clip-space units; below 2²⁴, the lines fit `i128`.
-pub(crate) const UNIT: f64 = 4096.0;
+pub const UNIT: f64 = 4096.0;
 
 /// A snapped vertex moves by no more than this, in px; the 10⁻⁹ is for the rounding of
 /// [`Homogeneous::inside_by`]'s quotients, the only one in this file.
-pub(crate) const SNAP: f64 = std::f64::consts::SQRT_2 / 512.0 + 1e-9;
+pub const SNAP: f64 = std::f64::consts::SQRT_2 / 512.0 + 1e-9;
 
-/// The lines around the visible part of a triangle: a·X + b·Y + c ≥ 0, with X, Y in 1/256 px.
+/// All lines: the edges opposite vertices 0, 1, 2, then the near plane's and the far plane's.
+pub const ALL: [usize; 5] = [0, 1, 2, 3, 4];
+
+/// The lines around the visible part of a triangle in clip space: a·X + b·Y + c ≥ 0, with X, Y in 1/256 px.
 #[derive(Clone, Debug)]
-pub(crate) struct Homogeneous {
+pub struct Homogeneous {
     lines: [[i128; 3]; 5],
     /// The lines' slopes: a distance of 1/256 px changes a line's value by this.
     slopes: [f64; 5],
@@ -31,7 +34,8 @@ fn cross(a: [i128; 3], b: [i128; 3]) -> [i128; 3] {
 
 impl Homogeneous {
     /// The oracle for three vertices (x, y, z, w) in [`UNIT`]s; `None` if seen edge-on.
-    pub(crate) fn new(v: &[[i64; 4]; 3], width: i64, height: i64) -> Option<Self> {
+    #[must_use]
+    pub fn new(v: &[[i64; 4]; 3], width: i64, height: i64) -> Option<Self> {
         let xyw = v.map(|[x, y, _, w]| [x, y, w].map(i128::from));
         let z = v.map(|v| i128::from(v[2]));
         let mut n = [cross(xyw[1], xyw[2]), cross(xyw[2], xyw[0]), cross(xyw[0], xyw[1])];
@@ -53,8 +57,13 @@ impl Homogeneous {
         Some(Self { lines, slopes, adjugate: n, size: [width, height] })
     }
 
-    /// The vertices as the crate under test gets them. Exact: the integers are below 2²⁴.
-    pub(crate) fn clip(v: &[[i64; 4]; 3]) -> [[f32; 4]; 3] {
+    /// The vertices as the code under test gets them, exactly.
+    ///
+    /// # Panics
+    ///
+    /// Where a coordinate is 2²⁴ or more: it would be rounded.
+    #[must_use]
+    pub fn clip(v: &[[i64; 4]; 3]) -> [[f32; 4]; 3] {
         v.map(|v| {
             v.map(|c| {
                 assert!(c.abs() < 1 << 24, "{c} would be rounded");
@@ -67,24 +76,38 @@ impl Homogeneous {
     ///
     /// Inside, the nearest line is the nearest edge. Outside it is a lower bound, which reaches
     /// the distance everywhere but beyond a corner.
-    pub(crate) fn inside_by(&self, i: i64, j: i64) -> f64 {
-        self.inside_by_without(5, i, j)
+    #[must_use]
+    pub fn inside_by(&self, i: i64, j: i64) -> f64 {
+        self.point_inside_by(&ALL, sample_point(i, j, CENTRE))
     }
 
     /// The same without line `edge` (0 to 2: the edge opposite that vertex; 3: near, 4: far).
-    pub(crate) fn inside_by_without(&self, edge: usize, i: i64, j: i64) -> f64 {
-        let [x, y] = sample_point(i, j, [128, 128]).map(i128::from);
-        let distance = |k: usize| {
+    #[must_use]
+    pub fn inside_by_without(&self, edge: usize, i: i64, j: i64) -> f64 {
+        let lines: Vec<usize> = ALL.into_iter().filter(|&k| k != edge).collect();
+        self.point_inside_by(&lines, sample_point(i, j, CENTRE))
+    }
+
+    /// The same for some of the lines and any point of the screen, in 1/256 px.
+    ///
+    /// # Panics
+    ///
+    /// Where there is no such line: they are 0 to 4.
+    #[must_use]
+    pub fn point_inside_by(&self, lines: &[usize], point: Vertex) -> f64 {
+        let [x, y] = point.map(i128::from);
+        let distance = |&k: &usize| {
             let [a, b, c] = self.lines[k];
             let (value, slope) = ((a * x + b * y + c) as f64, self.slopes[k]);
             if slope == 0.0 { value.signum() * f64::INFINITY } else { value / slope / 256.0 }
         };
-        (0..5).filter(|&k| k != edge).map(distance).fold(f64::INFINITY, f64::min)
+        lines.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
     /// The depth at the point (x, y) of the screen, in px: its distance from the far plane, as a part of the
     /// way from there to the near one.
-    pub(crate) fn depth(&self, x: f64, y: f64) -> f64 {
+    #[must_use]
+    pub fn depth(&self, x: f64, y: f64) -> f64 {
         let [near, far] = [3, 4].map(|k| {
             let [a, b, c] = self.lines[k].map(|c: i128| c as f64);
             a * 256.0 * x + b * 256.0 * y + c
@@ -93,7 +116,8 @@ impl Homogeneous {
     }
 
     /// The perspective-correct weights of the point (x, y) of the screen, in px.
-    pub(crate) fn weights(&self, x: f64, y: f64) -> [f64; 3] {
+    #[must_use]
+    pub fn weights(&self, x: f64, y: f64) -> [f64; 3] {
         let [w, h] = self.size.map(|s| s as f64);
         let p = [2.0 * x / w - 1.0, 1.0 - 2.0 * y / h, 1.0];
         let lambda = self.adjugate.map(|n| (0..3).map(|c| n[c] as f64 * p[c]).sum::<f64>());

@@ -18,19 +18,21 @@
 use std::ops::Range;
 
 /// A snapped vertex, in 1/256 px.
-pub(crate) type Vertex = [i64; 2];
+pub type Vertex = [i64; 2];
 
 /// The sample at the pixel's centre, in 1/256 px.
-pub(crate) const CENTRE: [i64; 2] = [128, 128];
+pub const CENTRE: [i64; 2] = [128, 128];
 
 /// E of the edge from `a` to `b` at `p`: twice the signed area of the triangle `a b p`.
-pub(crate) fn edge(a: Vertex, b: Vertex, p: Vertex) -> i128 {
+#[must_use]
+pub fn edge(a: Vertex, b: Vertex, p: Vertex) -> i128 {
     let [ax, ay, bx, by, px, py] = [a[0], a[1], b[0], b[1], p[0], p[1]].map(i128::from);
     (bx - ax) * (py - ay) - (by - ay) * (px - ax)
 }
 
 /// Twice the signed area; negative for a front face, counter-clockwise to the eye.
-pub(crate) fn area2(t: &[Vertex; 3]) -> i128 {
+#[must_use]
+pub fn area2(t: &[Vertex; 3]) -> i128 {
     edge(t[0], t[1], t[2])
 }
 
@@ -50,12 +52,14 @@ fn least(a: Vertex, b: Vertex) -> i128 {
 }
 
 /// Where pixel (i, j) is sampled, in 1/256 px.
-pub(crate) const fn sample_point(i: i64, j: i64, sample: [i64; 2]) -> Vertex {
+#[must_use]
+pub const fn sample_point(i: i64, j: i64, sample: [i64; 2]) -> Vertex {
     [256 * i + sample[0], 256 * j + sample[1]]
 }
 
 /// Whether the triangle covers the pixel (i, j): the definition itself.
-pub(crate) fn covers(t: &[Vertex; 3], i: i64, j: i64, sample: [i64; 2]) -> bool {
+#[must_use]
+pub fn covers(t: &[Vertex; 3], i: i64, j: i64, sample: [i64; 2]) -> bool {
     let p = sample_point(i, j, sample);
     positive(t).is_some_and(|t| (0..3).all(|k| edge(t[k], t[(k + 1) % 3], p) >= least(t[k], t[(k + 1) % 3])))
 }
@@ -64,7 +68,8 @@ pub(crate) fn covers(t: &[Vertex; 3], i: i64, j: i64, sample: [i64; 2]) -> bool 
 ///
 /// Along a row each half-plane is `e − 256·dy·i ≥ least`, a bound on `i` by one exact division;
 /// the span is what the three leave over. ([`covers`] judges this function in its own test.)
-pub(crate) fn row_span(t: &[Vertex; 3], j: i64, sample: [i64; 2], width: usize) -> Range<usize> {
+#[must_use]
+pub fn row_span(t: &[Vertex; 3], j: i64, sample: [i64; 2], width: usize) -> Range<usize> {
     let (mut low, mut high) = (0_i128, width as i128); // low..high
     let Some(t) = positive(t) else { return 0..0 };
     let y = sample_point(0, j, sample)[1];
@@ -89,7 +94,8 @@ pub(crate) fn row_span(t: &[Vertex; 3], j: i64, sample: [i64; 2], width: usize) 
 ///
 /// Coordinates are integers in 1/(256·`fine`) px. A vertex moves at most half a sub-pixel in x and
 /// in y when it is snapped, so that only such a pixel may change sides.
-pub(crate) fn near_boundary(t: &[Vertex; 3], p: Vertex, fine: i64) -> bool {
+#[must_use]
+pub fn near_boundary(t: &[Vertex; 3], p: Vertex, fine: i64) -> bool {
     // √2/512 px is `fine`/√2 in these coordinates: 2·distance² ≤ fine².
     let limit = i128::from(fine) * i128::from(fine);
     (0..3).any(|k| {

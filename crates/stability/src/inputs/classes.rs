@@ -1,10 +1,11 @@
 //! Ten classes of triangles, each with its own way to be wrong.
 
-use super::oracle::Vertex;
+use super::circle::{part, rational, turn, turns};
 use super::rng::Rng;
+use crate::oracle::coverage::Vertex;
 
 /// The classes by name.
-pub(crate) const CLASSES: [&str; 10] = [
+pub const CLASSES: [&str; 10] = [
     "random",
     "sliver",
     "on-grid",
@@ -18,14 +19,15 @@ pub(crate) const CLASSES: [&str; 10] = [
 ];
 
 /// The furthest coordinate that must not be clipped: 32,767 px.
-pub(crate) const GUARD: i64 = 32_767 * 256;
+pub const GUARD: i64 = 32_767 * 256;
 
 fn point(r: &mut Rng, low: Vertex, high: Vertex) -> Vertex {
     [r.range(low[0], high[0]), r.range(low[1], high[1])]
 }
 
-/// A random triangle of the named class around a picture of `width` × `height` px.
-pub(crate) fn triangle(class: &str, r: &mut Rng, width: i64, height: i64) -> [Vertex; 3] {
+/// A random triangle of the class with that name (any other name: the last class) around a picture of `width` × `height` px.
+#[must_use]
+pub fn triangle(class: &str, r: &mut Rng, width: i64, height: i64) -> [Vertex; 3] {
     let (w, h) = (256 * width, 256 * height);
     let around = |r: &mut Rng| point(r, [-w / 4, -h / 4], [w + w / 4, h + h / 4]);
     let within = |r: &mut Rng, d: i64| point(r, [-d, -d], [d, d]);
@@ -61,14 +63,15 @@ pub(crate) fn triangle(class: &str, r: &mut Rng, width: i64, height: i64) -> [Ve
         // Two neighbouring spokes, up to 32,000 px long and a few sub-pixels apart at the rim.
         "needle-fan" => {
             let apex = around(r);
-            let length = 2_f64.powf(r.real(4.0, 15.0)) * 256.0 * 0.97;
-            let angle = r.real(0.0, std::f64::consts::TAU);
-            let apart = 2_f64.powf(r.real(-2.0, 8.0)) / length;
-            let spoke = |a: f64| {
+            let length = f64::from(16 << r.index(11)) * r.real(1.0, 2.0) * 256.0 * 0.97;
+            let angle = turns(part(2), r.range(0, 3) as u32);
+            let angle = turn(angle, rational(r.unit()));
+            let apart = r.real(0.25, 256.0) / length;
+            let spoke = |a: [f64; 2]| {
                 let end = |c: i64, d: f64| (c + (length * d) as i64).clamp(-GUARD, GUARD);
-                [end(apex[0], a.cos()), end(apex[1], a.sin())]
+                [end(apex[0], a[0]), end(apex[1], a[1])]
             };
-            [apex, spoke(angle), spoke(angle + apart)]
+            [apex, spoke(angle), spoke(turn(angle, rational(apart / 2.0)))]
         }
         // Collinear, doubled, or a sub-pixel from it; on the grid or off it.
         "degenerate" => {
@@ -103,7 +106,8 @@ pub(crate) fn triangle(class: &str, r: &mut Rng, width: i64, height: i64) -> [Ve
 }
 
 /// A triangle that covers more than 100,000 px of a picture of 1024 × 512 px, with ends beyond it.
-pub(crate) fn large(r: &mut Rng) -> [Vertex; 3] {
+#[must_use]
+pub fn large(r: &mut Rng) -> [Vertex; 3] {
     let (w, h) = (1024 * 256, 512 * 256);
     [
         point(r, [-w / 2, -h / 2], [w / 4, h / 4]),
@@ -113,7 +117,8 @@ pub(crate) fn large(r: &mut Rng) -> [Vertex; 3] {
 }
 
 /// Permutation `k` of 6: both windings, every first vertex.
-pub(crate) fn permuted<T: Copy>(t: &[T; 3], k: usize) -> [T; 3] {
+#[must_use]
+pub fn permuted<T: Copy>(t: &[T; 3], k: usize) -> [T; 3] {
     let [a, b, c] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]][k % 6];
     [t[a], t[b], t[c]]
 }
