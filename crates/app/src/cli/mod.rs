@@ -15,6 +15,7 @@ mod compare;
 mod info;
 mod job;
 mod load;
+mod methods;
 mod models;
 mod progress;
 mod render;

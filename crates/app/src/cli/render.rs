@@ -29,6 +29,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<ExitCode, Error> {
         ..args.view.settings(args.output.path())?
     };
     let jobs = jobs(args, settings.background.is_none())?;
+    if args.methods().is_some() && settings.background.is_none() {
+        return Err(Error::Usage(
+            "--background none: pictures by --fill, --hidden or --shade have no transparency: name a colour"
+                .to_owned(),
+        ));
+    }
 
     // A step for each model that is read, and two for drawing and writing a picture.
     let progress = Progress::new((args.models.len() + 2 * jobs.len()) as u64);
@@ -99,8 +105,14 @@ fn make<'a>(
     let bounds = world.bounds();
     let camera = models::camera(&world, &args.view, up, settings, name)?;
     let (light, style) = (args.view.light(), args.view.style());
-    let picture = Picture::render(renderer, &world, &camera, &light, &style, settings)
-        .map_err(|error| Error::file(name, error.to_string()))?;
+    let picture = match (args.methods(), settings.background) {
+        (Some(methods), Some(background)) => {
+            let size = [settings.width, settings.height];
+            methods.picture(&world, &camera, &light, &style, size, background)
+        }
+        _ => Picture::render(renderer, &world, &camera, &light, &style, settings),
+    };
+    let picture = picture.map_err(|error| Error::file(name, error.to_string()))?;
     progress.step();
     let notes: Vec<String> =
         unseen::note(&args.view, settings, &world, &camera, &picture).into_iter().collect();

@@ -1,11 +1,17 @@
 //! The options of `polosa render`.
 
 use clap::Args;
+use polosa_raster::reference::{Coverage, Hidden};
+use polosa_scene::reference::{Methods, Shading};
 
 use super::args::{ModelArg, OutputArg};
+use super::methods;
 use super::view_args::{ViewArgs, after_help};
 
 const OTHER: &str = "Other outputs";
+const METHODS: &str = "Methods for comparison";
+/// What a picture by methods for comparison cannot have.
+const EXACT_ALONE: [&str; 6] = ["edges", "wire", "samples", "threads", "depth_image", "id_image"];
 
 /// Draws models as a picture
 ///
@@ -37,6 +43,27 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "OUT.png", value_parser = OutputArg::parser(), allow_hyphen_values = true, help_heading = OTHER)]
     pub(super) id_image: Option<OutputArg>,
 
+    /// How the pixels of a triangle are found. Any but the first is slower or wrong, and there to be compared with
+    #[arg(
+        long, value_name = "NAME", value_parser = methods::of(Coverage::ALL, Coverage::name, Coverage::about),
+        conflicts_with_all = EXACT_ALONE, help_heading = METHODS
+    )]
+    pub(super) fill: Option<Coverage>,
+
+    /// How it is decided which triangle is seen
+    #[arg(
+        long, value_name = "NAME", value_parser = methods::of(Hidden::ALL, Hidden::name, Hidden::about),
+        conflicts_with_all = EXACT_ALONE, help_heading = METHODS
+    )]
+    pub(super) hidden: Option<Hidden>,
+
+    /// How a colour is shaded by an amount of light
+    #[arg(
+        long, value_name = "NAME", value_parser = methods::of(Shading::ALL, Shading::name, Shading::about),
+        conflicts_with_all = EXACT_ALONE, help_heading = METHODS
+    )]
+    pub(super) shade: Option<Shading>,
+
     /// Reports counts and times: to standard output, or to standard error if the picture goes there
     #[arg(long, help_heading = OTHER)]
     pub(super) stats: bool,
@@ -46,9 +73,22 @@ pub(super) struct RenderArgs {
     pub(super) json: bool,
 }
 
+impl RenderArgs {
+    /// The methods for comparison, if one is named.
+    pub(super) fn methods(&self) -> Option<Methods> {
+        let Self { fill, hidden, shade, .. } = *self;
+        (fill.is_some() || hidden.is_some() || shade.is_some()).then(|| Methods {
+            coverage: fill.unwrap_or_default(),
+            hidden: hidden.unwrap_or_default(),
+            shading: shade.unwrap_or_default(),
+        })
+    }
+}
+
 const EXAMPLES: &str = "  polosa render bunny.obj -o bunny.png --resolution 1920,1080 --samples 16
   polosa render part.stl -o part.png --camera-azimuth-angle 45 --edges
   polosa render floor.ply chair.glb -o room.png --light 1,2,3 --light-world
   polosa render *.stl -o 'thumbnails/{stem}.png' --resolution 256,256 --background none
   polosa render plan.obj -o plan.png --camera-orthographic --camera-height 256 --resolution 256,256
+  polosa render shape:teapot -o painter.png --fill float-scan --hidden painter --shade power-2.4
   cat bunny.ply | polosa render - -o - > bunny.png";

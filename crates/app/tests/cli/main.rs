@@ -6,6 +6,7 @@ mod compare;
 mod exact;
 mod help;
 mod info;
+mod methods;
 mod options;
 mod outputs;
 mod support;

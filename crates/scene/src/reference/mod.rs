@@ -8,11 +8,14 @@
 //! |---|---|---|
 //! | [`shading`] | from a colour and an amount of light to a colour | [`srgb`](crate::srgb) |
 //! | [`hue`] | colours by a pseudo-longitude, and by the true one | none: nothing else needs hues |
+//! | [`Methods`] | a picture of a world with any of the raster core's methods, and any shading | [`Renderer`](crate::Renderer) |
 //! | [`sphere`] | spheres by inflation and by symmetry | [`shape::sphere`](crate::shape::sphere()) |
 
 pub mod hue;
+mod picture;
 pub mod shading;
 pub mod sphere;
 
+pub use picture::Methods;
 pub use shading::{Shading, UnknownShading};
 pub use sphere::Sphere;
