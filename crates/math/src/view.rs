@@ -12,8 +12,8 @@
 //!
 //! A position, a direction and a rough idea of "up" are what people have; they are hardly ever at right angles.
 //! [`Basis::looking`] keeps the direction, bends `up` until it fits, and **always** answers with three unit axes:
-//! a naive `direction × up` shrinks the picture when the two are not perpendicular, and is not a number when they
-//! are parallel.
+//! a naive `direction × up` shrinks the picture when the two are not perpendicular; when they are parallel it is zero,
+//! on which the whole picture falls, or, normalised, not a number ([`reference::camera::s1`](crate::reference::camera::s1)).
 
 use glam::{DMat4, DVec3, DVec4};
 
