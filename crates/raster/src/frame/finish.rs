@@ -160,11 +160,19 @@ impl Hand {
                     put([column(run.start), y], values, depths, pixels);
                     continue;
                 }
-                row.write(run, pixels, |x, to| {
-                    let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
-                    let values = row.values(simd, &self.values[tile].tile, group);
-                    let depths = row.depths(simd, &self.depths[tile].tile, group);
-                    put([column(x), y], &values[..to.len()], &depths[..to.len()], to);
+                row.write(run, pixels, |tile, x, to| {
+                    let values = row.blocks(&self.values[tile].tile);
+                    let depths = row.blocks(&self.depths[tile].tile);
+                    for ((to, x), (values, depths)) in
+                        lines(to).zip((x..).step_by(LINE)).zip(values.iter().zip(depths))
+                    {
+                        let values = row.values(simd, values);
+                        let depths = row.depths(simd, depths);
+                        match to.as_chunks_mut::<LINE>() {
+                            ([line], []) => put([column(x), y], &values, &depths, line),
+                            _ => put([column(x), y], &values[..to.len()], &depths[..to.len()], to),
+                        }
+                    }
                 });
             }
             match &mut depth {
@@ -194,10 +202,14 @@ impl Hand {
                 store(&self.no_depths[..run.len()], to);
                 continue;
             }
-            row.write(run, to, |x, to| {
-                let (tile, group) = (x / SIDE as usize, x % SIDE as usize / LINE);
-                let depths = row.depths(simd, &self.depths[tile].tile, group);
-                store(&depths[..to.len()], to);
+            row.write(run, to, |tile, _, to| {
+                for (to, depths) in lines(to).zip(row.blocks(&self.depths[tile].tile)) {
+                    let depths = row.depths(simd, depths);
+                    match to.as_chunks_mut::<LINE>() {
+                        ([line], []) => store(&depths, line),
+                        _ => store(&depths[..to.len()], to),
+                    }
+                }
             });
         }
     }
@@ -216,43 +228,51 @@ impl Hand {
 /// Pixels that are written at a time.
 const LINE: usize = 16;
 
+/// Cuts a tile's part of a row into lines; the last one of a picture may be shorter.
+#[inline(always)]
+fn lines<P>(row: &mut [P]) -> impl Iterator<Item = &mut [P]> {
+    row.chunks_mut(LINE)
+}
+
 /// Where a row of pixels lies in a tile's memory: four pixels in each block of a row of blocks.
 struct Row {
-    first: usize,
+    /// Among the rows of blocks.
+    blocks: usize,
+    /// In each of the blocks.
     four: usize,
 }
 
 impl Row {
     const fn new(y: u32) -> Self {
-        let (block, four) = (y % SIDE / BLOCK, y % BLOCK);
-        Self { first: (block * (SIDE / BLOCK)) as usize, four: four as usize }
+        Self { blocks: (y % SIDE / BLOCK) as usize, four: (y % BLOCK) as usize }
     }
 
-    /// Writes a run of pixels, a line at a time; `put` gets the column of its first pixel.
+    /// Writes a run of pixels, tile by tile; `put` gets the tile, the column of its first pixel, and its pixels.
     #[inline(always)]
-    fn write<P>(&self, run: Range<usize>, pixels: &mut [P], mut put: impl FnMut(usize, &mut [P])) {
-        let (lines, rest) = pixels.as_chunks_mut::<LINE>();
+    fn write<P>(&self, run: Range<usize>, pixels: &mut [P], mut put: impl FnMut(usize, usize, &mut [P])) {
+        let (tiles, rest) = pixels.as_chunks_mut::<{ SIDE as usize }>();
         let mut x = run.start;
-        for to in lines {
-            put(x, to);
-            x += LINE;
+        for to in tiles {
+            // Of a length that the compiler knows.
+            put(x / SIDE as usize, x, to);
+            x += SIDE as usize;
         }
         if !rest.is_empty() {
-            put(x, rest);
+            put(x / SIDE as usize, x, rest);
         }
     }
 
-    /// Four blocks.
+    /// The blocks of the row, by fours: what makes a line each.
     #[inline(always)]
-    fn of<'a, T>(&self, tile: &'a [T; AREA], group: usize) -> &'a [[T; 16]; 4] {
-        let groups = tile.as_chunks::<16>().0.as_chunks::<4>().0;
-        &groups[(self.first / 4 + group) % groups.len()]
+    fn blocks<'a, T>(&self, tile: &'a [T; AREA]) -> &'a [[[T; 16]; 4]] {
+        const BLOCKS: usize = (SIDE / BLOCK) as usize;
+        let rows = tile.as_chunks::<16>().0.as_chunks::<BLOCKS>().0;
+        rows[self.blocks % rows.len()].as_chunks::<4>().0
     }
 
     /// Sixteen values.
     #[inline(always)]
-    fn values<L: Simd>(&self, simd: L, tile: &[u32; AREA], group: usize) -> [u32; LINE] {
-        let [a, b, c, d] = self.of(tile, group);
+    fn values<L: Simd>(&self, simd: L, [a, b, c, d]: &[[u32; 16]; 4]) -> [u32; LINE] {
         let [a, b, c, d] = [self.four(a), self.four(b), self.four(c), self.four(d)];
         let low = u32x4::load_array_ref(simd, a).combine(u32x4::load_array_ref(simd, b));
         *low.combine(u32x4::load_array_ref(simd, c).combine(u32x4::load_array_ref(simd, d)))
@@ -260,8 +280,7 @@ impl Row {
 
     /// Sixteen depths.
     #[inline(always)]
-    fn depths<L: Simd>(&self, simd: L, tile: &[f32; AREA], group: usize) -> [f32; LINE] {
-        let [a, b, c, d] = self.of(tile, group);
+    fn depths<L: Simd>(&self, simd: L, [a, b, c, d]: &[[f32; 16]; 4]) -> [f32; LINE] {
         let [a, b, c, d] = [self.four(a), self.four(b), self.four(c), self.four(d)];
         let low = f32x4::load_array_ref(simd, a).combine(f32x4::load_array_ref(simd, b));
         *low.combine(f32x4::load_array_ref(simd, c).combine(f32x4::load_array_ref(simd, d)))
