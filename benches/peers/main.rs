@@ -31,6 +31,7 @@ mod report;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use polosa_benches::provenance;
 use serde_json::json;
 
 use compare::Difference;
@@ -74,7 +75,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    let load = report::load();
+    let load = provenance::load();
     let harness = by_llvmpipe::compile().map_err(|reason| notice(&reason)).ok();
     let mut renderer = None;
     let mut tables = Vec::new();

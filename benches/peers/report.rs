@@ -1,8 +1,8 @@
 //! Figures as a table, as JSON, and where they are from.
 
 use std::fmt::Write as _;
-use std::process::Command;
 
+use polosa_benches::provenance;
 use serde_json::{Value, json};
 
 use crate::compare::{Difference, MOST};
@@ -122,24 +122,16 @@ pub(crate) fn provenance(
     load_before: &str,
     renderer: Option<&str>,
 ) -> Vec<(&'static str, String)> {
-    let root = env!("CARGO_MANIFEST_DIR");
-    let commit = said("git", &["-C", root, "rev-parse", "--short=12", "HEAD"]);
-    let changed = said("git", &["-C", root, "status", "--porcelain", "--untracked-files=no", ".."]);
-    let changed = changed.lines().filter(|line| !line.ends_with(".md")).count();
     let command =
         format!("cargo bench -p polosa-benches --features peers --bench peers -- {}", telling_arguments());
-    let changed = match changed {
-        0 => String::new(),
-        files => format!(", and changes not committed in {files} files"),
-    };
     vec![
-        ("date", said("date", &["-u", "+%Y-%m-%d %H:%M UTC"])),
-        ("commit", format!("{commit}{changed}")),
+        ("date", provenance::date()),
+        ("commit", provenance::commit()),
         ("command", command.trim_end_matches([' ', '-']).to_owned()),
-        ("CPU", cpu()),
-        ("cores", std::thread::available_parallelism().map_or_else(|_| "?".to_owned(), |n| n.to_string())),
-        ("load", format!("{load_before} before, {} after (1, 5, 15 minutes)", load())),
-        ("compiler", said("rustc", &["-V"])),
+        ("CPU", provenance::cpu()),
+        ("cores", provenance::cores()),
+        ("load", format!("{load_before} before, {} after (1, 5, 15 minutes)", provenance::load())),
+        ("compiler", provenance::compiler()),
         ("RUSTFLAGS", std::env::var("RUSTFLAGS").unwrap_or_else(|_| "(none)".to_owned())),
         ("OpenGL", renderer.unwrap_or("(left out)").to_owned()),
         ("peers", ["euc", "retrofire-core"].map(version).join(", ")),
@@ -161,37 +153,10 @@ fn telling_arguments() -> String {
     telling.join(" ")
 }
 
-/// The load averages of the last 1, 5 and 15 minutes.
-pub(crate) fn load() -> String {
-    let text = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
-    let averages: Vec<&str> = text.split_whitespace().take(3).collect();
-    if averages.is_empty() { "?".to_owned() } else { averages.join(" ") }
-}
-
-fn cpu() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let field = |name: &str| {
-        let line = text.lines().find(|line| line.split(':').next().is_some_and(|key| key.trim() == name))?;
-        Some(line.split_once(':')?.1.trim().to_owned())
-    };
-    let Some(name) = field("model name") else { return "?".to_owned() };
-    let number = |key| field(key).unwrap_or_else(|| "?".to_owned());
-    let flags = field("flags").unwrap_or_default();
-    let has = |flag: &str| flags.split(' ').any(|other| other == flag);
-    let widest = ["avx512f", "avx2", "sse4_2"].into_iter().find(|flag| has(flag)).unwrap_or("");
-    format!("{name}, family {} model {}, {widest}", number("cpu family"), number("model"))
-}
-
 /// The version of a crate, by the lock file.
 fn version(name: &str) -> String {
     let lock =
         std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock")).unwrap_or_default();
     let after = lock.split(&format!("name = \"{name}\"\nversion = \"")).nth(1);
     format!("{name} {}", after.and_then(|rest| rest.split('"').next()).unwrap_or("?"))
-}
-
-/// The first thing that a program says; `?` if it says nothing.
-fn said(program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program).args(arguments).output().ok().filter(|output| output.status.success());
-    output.map_or_else(|| "?".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
