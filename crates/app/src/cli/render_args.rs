@@ -43,7 +43,8 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "OUT.png", value_parser = OutputArg::parser(), allow_hyphen_values = true, help_heading = OTHER)]
     pub(super) id_image: Option<OutputArg>,
 
-    /// How the pixels of a triangle are found. Any but the first is slower or wrong, and there to be compared with
+    /// How the pixels of a triangle are found. Any but the first is slower or wrong, and there to be compared with; S0
+    /// to S4 are the five tutorials that polosa grew from (docs/seeds.md)
     #[arg(
         long, value_name = "NAME", value_parser = methods::of(Coverage::ALL, Coverage::name, Coverage::about),
         conflicts_with_all = EXACT_ALONE, help_heading = METHODS
