@@ -15,10 +15,17 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that reports to its user")]
 
 mod chart;
+mod coverage;
 mod csv;
+mod depth;
+mod detail;
+mod format;
 mod measure;
 mod options;
 mod scaling;
+mod shading;
+mod stability;
+mod style;
 
 use std::fs;
 use std::path::Path;
@@ -40,12 +47,50 @@ struct Chart {
     draw: fn(&[Row]) -> Result<Drawings, String>,
 }
 
-const CHARTS: [Chart; 1] = [Chart {
-    name: "scaling",
-    about: "how the time of a frame grows with triangles and with pixels",
-    measure: scaling::measure,
-    draw: scaling::draw,
-}];
+const CHARTS: [Chart; 7] = [
+    Chart {
+        name: "coverage",
+        about: "filling: time against wrong pixels, at five sizes",
+        measure: coverage::measure,
+        draw: coverage::draw,
+    },
+    Chart {
+        name: "depth",
+        about: "depth: time against the largest error",
+        measure: depth::measure,
+        draw: depth::draw,
+    },
+    Chart {
+        name: "format",
+        about: "depth formats: surfaces that cannot be told apart",
+        measure: format::measure,
+        draw: format::draw,
+    },
+    Chart {
+        name: "shading",
+        about: "shading: time against wrong codes",
+        measure: shading::measure,
+        draw: shading::draw,
+    },
+    Chart {
+        name: "detail",
+        about: "spheres: triangles and time against the error of an outline",
+        measure: detail::measure,
+        draw: detail::draw,
+    },
+    Chart {
+        name: "stability",
+        about: "which method passes which scene",
+        measure: stability::measure,
+        draw: stability::draw,
+    },
+    Chart {
+        name: "scaling",
+        about: "how the time of a frame grows with triangles and with pixels",
+        measure: scaling::measure,
+        draw: scaling::draw,
+    },
+];
 
 fn main() -> ExitCode {
     let names = CHARTS.map(|chart| chart.name);
