@@ -125,9 +125,15 @@ pub(super) fn points(world: &World) -> impl Iterator<Item = DVec3> {
 
 /// Asks whether there is memory for a picture of so many bytes a pixel, since running out of it on the way would end
 /// the program without a word.
-pub(super) fn reserve(settings: &PictureSettings, bytes_a_pixel: usize, name: &Path) -> Result<(), Error> {
+pub(super) fn reserve(
+    settings: &PictureSettings,
+    bytes_a_pixel: usize,
+    more: u64,
+    name: &Path,
+) -> Result<(), Error> {
     // No more than 2²⁸ pixels: `ViewArgs::settings` has seen to that.
     let bytes = (bytes_a_pixel as u64 * u64::from(settings.width)).checked_mul(u64::from(settings.height));
+    let bytes = bytes.and_then(|bytes| bytes.checked_add(more));
     let room = bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX);
     Vec::<u8>::new().try_reserve_exact(room).map_err(|_| {
         let needed = bytes.unwrap_or(u64::MAX) >> 20;

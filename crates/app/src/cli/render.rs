@@ -4,7 +4,8 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use polosa_math::Bounds;
-use polosa_scene::{Camera, DrawStats, Picture, PictureSettings, Renderer};
+use polosa_scene::reference::Methods;
+use polosa_scene::{Camera, Colors, DrawStats, Picture, PictureSettings, Renderer, World};
 
 use super::job::{Job, jobs};
 use super::models::{self, ModelFacts};
@@ -66,6 +67,8 @@ pub(super) struct Made<'a> {
     pub(super) camera: Camera,
     /// In degrees, as it was given.
     pub(super) view_angle: f64,
+    /// What it was drawn by.
+    pub(super) methods: Methods,
     pub(super) stats: DrawStats,
     /// What is missing from the picture that should be in it.
     pub(super) notes: Vec<String>,
@@ -100,7 +103,14 @@ fn make<'a>(
     let name = job.picture.0.name();
     // What drawing needs beside the picture is a band of rows.
     let layers = [settings.background.is_none(), settings.distances, settings.ids].map(usize::from);
-    models::reserve(settings, 4 + layers[0] + 4 * layers[1] + 4 * layers[2], name)?;
+    let mut pixel = 4 + layers[0] + 4 * layers[1] + 4 * layers[2];
+    let mut triangle = 0;
+    if let Some(methods) = args.methods() {
+        // All triangles of all models at once, in clip space; the painter's are sorted, too.
+        triangle = if methods.hidden.has_buffer() { 64 } else { 64 + 96 };
+        pixel += if methods.hidden.has_buffer() { 8 } else { 0 };
+    }
+    models::reserve(settings, pixel, triangles.saturating_mul(triangle), name)?;
     progress.now(&format!("drawing {}", name.display()));
     let bounds = world.bounds();
     let camera = models::camera(&world, &args.view, up, settings, name)?;
@@ -114,8 +124,14 @@ fn make<'a>(
     };
     let picture = picture.map_err(|error| Error::file(name, error.to_string()))?;
     progress.step();
-    let notes: Vec<String> =
+    let mut notes: Vec<String> =
         unseen::note(&args.view, settings, &world, &camera, &picture).into_iter().collect();
+    if args.methods().is_some() && has_vertex_colors(&world) {
+        notes.push(
+            "colours run between vertices: by --fill, --hidden or --shade each face has their mean"
+                .to_owned(),
+        );
+    }
     if !args.json {
         progress
             .aside(|| notes.iter().for_each(|text| models::note(&one_line(&name.to_string_lossy()), text)));
@@ -133,11 +149,20 @@ fn make<'a>(
         bounds,
         camera,
         view_angle: args.view.camera_view_angle,
+        methods: args.methods().unwrap_or_default(),
         stats: picture.stats,
         notes,
         read: loaded - start,
         draw: drawn - loaded,
         write: drawn.elapsed(),
+    })
+}
+
+/// Whether a colour runs over the faces of something that is drawn.
+fn has_vertex_colors(world: &World) -> bool {
+    world.objects().any(|(_, object)| {
+        let mesh = world.mesh(object.mesh()).filter(|_| object.color.is_none() && object.visible);
+        mesh.is_some_and(|mesh| matches!(mesh.colors(), Colors::Vertex(_)))
     })
 }
 

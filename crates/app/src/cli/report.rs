@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use polosa_math::glam::DVec3;
 use polosa_raster::Stats;
+use polosa_scene::reference::Methods;
 use polosa_scene::{Projection, Samples};
 use serde_json::{Value, json};
 
@@ -31,6 +32,10 @@ fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
         settings.height,
         counted(samples(settings.samples), "sample", "samples")
     )?;
+    let Methods { coverage, hidden, shading } = made.methods;
+    if made.methods != Methods::default() {
+        writeln!(text, "  {:<12}fill {coverage}, hidden {hidden}, shade {shading}", "methods")?;
+    }
     for model in &made.models {
         writeln!(text, "  {:<12}{}", "model", model.text())?;
         for remark in &model.remarks {
@@ -86,6 +91,9 @@ pub(super) fn json(made: &Made<'_>) -> String {
         "width": made.settings.width,
         "height": made.settings.height,
         "samples": samples(made.settings.samples),
+        "fill": made.methods.coverage.name(),
+        "hidden": made.methods.hidden.name(),
+        "shade": made.methods.shading.name(),
         "models": models,
         "bounds": bounds(&made.bounds),
         "camera": {

@@ -47,6 +47,34 @@ fn naive_shading_is_too_dark() {
 }
 
 #[test]
+fn reports_say_which_they_were() {
+    let folder = Folder::new();
+    let text = |options: &str| folder.done(&format!("{TORUS} -o out.png {options}")).text();
+    assert!(text("--stats --hidden sum").contains("methods     fill strips, hidden sum, shade exact"));
+    assert!(!text("--stats").contains("methods"));
+    let json = text("--json --fill edges");
+    for word in ["\"fill\":\"edges\"", "\"hidden\":\"exact\"", "\"shade\":\"exact\""] {
+        assert!(json.contains(word), "{word}: {json}");
+    }
+}
+
+#[test]
+fn where_colours_run_between_vertices_a_note_says_that_faces_have_their_mean() {
+    let triangle = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+        property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n\
+        property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0\n9 0 0 0 255 0\n0 9 0 0 0 255\n3 0 1 2\n";
+    let folder = Folder::new().with("v.ply", triangle);
+    let options = "render v.ply -o out.png --resolution 64,64 --shading unlit";
+    let said = folder.run(&format!("{options} --fill strips"));
+    assert_eq!(said.status, Some(0));
+    assert!(said.stderr.contains("their mean"), "{}", said.stderr);
+    // A third of each light: code 156.
+    assert!(count(&folder.picture("out.png"), rgb(156, 156, 156)) > 500);
+    let said = folder.run(options);
+    assert!(!said.stderr.contains("mean"), "{}", said.stderr);
+}
+
+#[test]
 fn an_unknown_name_is_told_which_there_are() {
     let folder = Folder::new();
     for (option, names) in [

@@ -131,7 +131,7 @@ fn measure(args: &BenchArgs, settings: &PictureSettings, name: &Path) -> Result<
     let steps = args.models.len().max(1) + args.frames.map_or(FRAMES, usize::from);
     let progress = Progress::new(steps as u64);
     let (world, facts, up) = world(args, &progress)?;
-    models::reserve(settings, PIXEL, name)?;
+    models::reserve(settings, PIXEL, 0, name)?;
     let camera = models::camera(&world, &args.view, up, settings, name)?;
 
     let memset = Memset::measure(PIXEL * settings.width as usize * settings.height as usize);
