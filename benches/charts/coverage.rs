@@ -1,4 +1,4 @@
-//! Claim: pixels that are exactly right cost no more time than others, at every size of triangle.
+//! What do pixels that are exactly right cost, beside those of methods that are not, at each size of triangle?
 //!
 //! ```text
 //!   corpora, each triangle on the 1/256 px grid              soups of one size

@@ -1,4 +1,4 @@
-//! Claim: the nearest sRGB code costs no more than a rough one.
+//! What does the nearest sRGB code cost, beside rougher ones?
 //!
 //! Each way of shading makes, of a colour `0x00RRGGBB` and an amount of light, the colour that is shown. Error: against
 //! the nearest code, found in whole numbers of 400 bits, of all 256 codes at 1,001 amounts of light: the largest

@@ -29,14 +29,16 @@ fn panel(rows: &[Row], area: u32) -> Panel {
         series.push(Series { name, color, mark, line: Line::None, points: vec![point] });
     }
     Panel {
-        title: format!(
-            "triangles of {} px",
-            if area < 10_000 { area.to_string() } else { format!("{},000", area / 1000) }
-        ),
+        title: format!("triangles of {} px", grouped(area)),
         x: Axis::of("ns a triangle"),
         y: Axis::of(METRIC),
         series,
         guides: Vec::new(),
         front: true,
     }
+}
+
+/// Thousands stand apart.
+fn grouped(area: u32) -> String {
+    if area < 1_000 { area.to_string() } else { format!("{},{:03}", area / 1_000, area % 1_000) }
 }
