@@ -14,7 +14,7 @@ methods! {
     /// for that with [`visit`](Self::visit) or [`State::sample`](crate::State::sample).
     Coverage, "way to fill" {
         Strips, "strips", "exact strips on 1/256 pixel, the default: no pixel wrong";
-        Edges, "edges", "exact edge functions over the box: the same pixels, slower on all but tiny triangles";
+        Edges, "edges", "exact edge functions over the box: the same pixels";
         Barycentric, "barycentric", "S0: weights from 0 to 1 over the box, in f64: shared sides are drawn twice, three divisions a pixel";
         SameSide, "same-side", "S3: products of cross products over the box: shared sides are drawn twice, corners on a line fill their box";
         VerticalStrips, "vertical-strips", "S4, mended to be half-open: each pixel once, but ties fall to other pixels than by the top-left rule";

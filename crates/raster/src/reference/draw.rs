@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::barycentric::{self, Barycentric};
 use super::grid::Grid;
 use super::pieces::Preparation;
-use super::surface::{Constant, Exact, PlaneF32, PlaneF64, Strip, Surface, Weighted};
+use super::surface::{Constant, Exact, PlaneF32, PlaneF32Origin, PlaneF64, Strip, Surface, Weighted};
 use super::vertical::Sorted;
 use super::zbuffer::Precision;
 use super::{Corner, Coverage, Hidden, Methods, Visit, ZBuffer};
@@ -170,8 +170,8 @@ impl<'a, 't, P: Copy> Brush<'a, 't, P> {
                 barycentric::with_depth(&grid, corners, |x, y, z| fill.one(x, y, z));
             }
             Hidden::Barycentric => self.surface(corners, pixel, &weights()),
-            Hidden::PlaneF32Origin => self.surface(corners, pixel, &PlaneF32::at_origin(&grid, placed)),
-            Hidden::PlaneF32Vertex => self.surface(corners, pixel, &PlaneF32::at_vertex(&grid, placed)),
+            Hidden::PlaneF32Origin => self.surface(corners, pixel, &PlaneF32Origin::new(&grid, placed)),
+            Hidden::PlaneF32Vertex => self.surface(corners, pixel, &PlaneF32::new(&grid, placed)),
             Hidden::PlaneF64 => self.surface(corners, pixel, &PlaneF64::new(&grid, placed)),
         }
     }

@@ -9,7 +9,7 @@ methods! {
     /// [`draw`](super::draw) is cleared as [`Target::clear`](crate::Target::clear) does it: to 0, the far plane.
     Hidden, "way to hide" {
         Exact, "exact", "f32 from exact edge values, the default: within 5·2⁻²⁴ of the plane, slivers included";
-        Order, "order", "S0's first stage, S2: none, what is drawn last stays; right for no solid from all sides";
+        Order, "order", "S0's first stage, S2: none, what is drawn last stays; right only for one convex solid with back faces culled";
         Painter, "painter", "far to near by the depth of the centroid: wrong where triangles cross or overlap in a ring";
         Sum, "sum", "S3: z1 + z2 + z3, one depth a triangle: wrong where triangles cross, or are long";
         StripLinear, "strip-linear", "S4 as meant: f64 between the ends of the vertical strip; accurate, in a memory twice as large";

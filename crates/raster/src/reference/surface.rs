@@ -150,7 +150,7 @@ impl Surface for Strip {
     }
 }
 
-/// A plane in `f32`: `(z + a·(x − x0)) + b·(y − y0)`.
+/// A plane in `f32` from the first corner: `(z + a·(x − x0)) + b·(y − y0)`.
 pub(super) struct PlaneF32 {
     anchor: [f32; 3],
     slope: [f32; 2],
@@ -158,20 +158,13 @@ pub(super) struct PlaneF32 {
 }
 
 impl PlaneF32 {
-    /// From the first corner.
-    pub(super) fn at_vertex(grid: &Grid, corners: &[Corner; 3]) -> Self {
+    pub(super) fn new(grid: &Grid, corners: &[Corner; 3]) -> Self {
         let [a, b, c] = corners.each_ref().map(narrow);
         let to = |p: [f32; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
         let [[ux, uy, uz], [vx, vy, vz]] = [to(b), to(c)];
         let area = ux * vy - uy * vx;
         let slope = [(uz * vy - vz * uy) / area, (ux * vz - vx * uz) / area];
         Self { anchor: a, slope, grid: *grid }
-    }
-
-    /// From the screen's upper left corner: two operations a pixel less.
-    pub(super) fn at_origin(grid: &Grid, corners: &[Corner; 3]) -> Self {
-        let Self { anchor: [x, y, z], slope, grid } = Self::at_vertex(grid, corners);
-        Self { anchor: [0.0, 0.0, z - slope[0] * x - slope[1] * y], slope, grid }
     }
 }
 
@@ -186,7 +179,31 @@ impl Surface for PlaneF32 {
     }
 }
 
-/// The same in `f64`, rounded to `f32` at the end.
+/// The same from the screen's upper left corner: `(c + a·x) + b·y`, two subtractions a pixel less.
+pub(super) struct PlaneF32Origin {
+    corner: f32,
+    slope: [f32; 2],
+    grid: Grid,
+}
+
+impl PlaneF32Origin {
+    pub(super) fn new(grid: &Grid, corners: &[Corner; 3]) -> Self {
+        let PlaneF32 { anchor: [x, y, z], slope, grid } = PlaneF32::new(grid, corners);
+        Self { corner: z - slope[0] * x - slope[1] * y, slope, grid }
+    }
+}
+
+impl Surface for PlaneF32Origin {
+    type Z = f32;
+
+    #[inline]
+    fn at(&self, x: u32, y: u32) -> f32 {
+        let (x, y) = (single(self.grid.x(x)), single(self.grid.y(y)));
+        (self.corner + self.slope[0] * x) + self.slope[1] * y
+    }
+}
+
+/// A plane in `f64` from the first corner, rounded to `f32` at the end.
 pub(super) struct PlaneF64 {
     anchor: Corner,
     slope: [f64; 2],
