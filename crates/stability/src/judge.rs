@@ -53,9 +53,10 @@ impl<'a> Judge<'a> {
     pub(crate) fn verdict(&self, outcome: Outcome) -> Verdict {
         match outcome {
             Err(Stop::Panic) => Verdict::Panic,
+            // What was found before the scene had nothing more to ask stays found.
+            _ if self.not_a_number => Verdict::NotANumber,
+            _ if self.wrong > 0 => Verdict::Wrong { pixels: self.wrong },
             Err(Stop::NotAsked) => Verdict::NotAsked,
-            Ok(()) if self.not_a_number => Verdict::NotANumber,
-            Ok(()) if self.wrong > 0 => Verdict::Wrong { pixels: self.wrong },
             Ok(()) => Verdict::Pass,
         }
     }

@@ -87,11 +87,14 @@ impl Job<'_> {
 pub struct Drawn {
     /// 0 where nothing is seen, else 1 + the index of the triangle that is. What is missing counts as wrong.
     pub ids: Vec<u32>,
-    /// z/w of what is seen, larger is nearer; read only where something is. `None`: depth is not judged.
+    /// z/w of what is seen, larger is nearer; read only where something is. `None`: scenes that judge it find nothing
+    /// wrong with it, and if with nothing else either, end as [`Verdict::NotAsked`].
     pub depth: Option<Vec<f32>>,
 }
 
 /// What a rasteriser claims, so that scenes that do not concern it are not asked ([`Verdict::NotAsked`]).
+///
+/// That it has a depth is not claimed here but shown: by [`Drawn::depth`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Abilities {
     /// Triangles are cut off where they leave 0 ≤ z ≤ w, so that vertices may lie behind the eye.

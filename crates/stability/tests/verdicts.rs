@@ -118,3 +118,21 @@ fn another_sample_and_another_rule_pass_if_they_are_claimed() {
     let other_rule = failures(&mut |job| half_planes(job, [128, 128], false), able([128, 128], true));
     assert!(other_rule.contains(&"micro-triangles, every tie"), "{other_rule:?}");
 }
+
+#[test]
+fn without_a_depth_scenes_of_depth_are_not_asked_and_pixels_they_find_wrong_stay_wrong() {
+    let [slivers, depths, steep] =
+        ["sliver, 1000 × 1/256 px", "depth of such slivers", "depth of steep floors"];
+    let right = |job: &Job<'_>| half_planes(job, [128, 128], true);
+    assert_eq!(of(right, slivers), Verdict::Pass);
+    assert_eq!(of(right, depths), Verdict::NotAsked);
+    assert_eq!(of(right, steep), Verdict::NotAsked);
+    let black = |job: &Job<'_>| Drawn { ids: vec![0; job.pixels()], depth: None };
+    assert!(matches!(of(black, slivers), Verdict::Wrong { .. }));
+    assert_eq!(of(black, depths), Verdict::NotAsked);
+    assert!(matches!(of(black, steep), Verdict::Wrong { .. }));
+    let everywhere_at_the_far_plane =
+        |job: &Job<'_>| Drawn { depth: Some(vec![0.0; job.pixels()]), ..half_planes(job, [128, 128], true) };
+    assert!(matches!(of(everywhere_at_the_far_plane, depths), Verdict::Wrong { .. }));
+    assert!(matches!(of(everywhere_at_the_far_plane, steep), Verdict::Wrong { .. }));
+}

@@ -49,10 +49,17 @@ pub(super) fn largest(judge: &mut Judge<'_>) -> Outcome {
 
 /// Draws a convex quad of two triangles, 0 1 2 and 2 3 0, and compares each pixel with `lines` of both. The shared
 /// edge is opposite vertex 1 of each; the planes' lines are the same on both sides of it only if the quad is flat.
-fn compare_quad(judge: &mut Judge<'_>, v: &[[i64; 4]; 4], lines: &[usize]) -> Outcome {
-    let halves = [[v[0], v[1], v[2]], [v[2], v[3], v[0]]];
-    let oracles = halves.map(|half| Homogeneous::new(&half, SIZE[0].into(), SIZE[1].into()));
-    let [Some(one), Some(two)] = oracles else { return Ok(()) };
+///
+/// Quads are made until neither half is seen edge-on, where there are no lines: so none is passed over.
+fn compare_quad(judge: &mut Judge<'_>, mut quad: impl FnMut() -> [[i64; 4]; 4], lines: &[usize]) -> Outcome {
+    let (halves, one, two) = loop {
+        let v = quad();
+        let halves = [[v[0], v[1], v[2]], [v[2], v[3], v[0]]];
+        let oracles = halves.map(|half| Homogeneous::new(&half, SIZE[0].into(), SIZE[1].into()));
+        if let [Some(one), Some(two)] = oracles {
+            break (halves, one, two);
+        }
+    };
     let [a, b] = halves.map(|half| Homogeneous::clip(&half));
     judge.mesh(SIZE, &[a[0], a[1], a[2], b[1]], &[[0, 1, 2], [2, 3, 0]], |p| {
         let by = one.point_inside_by(lines, p).min(two.point_inside_by(lines, p));
@@ -68,13 +75,14 @@ fn compare_quad(judge: &mut Judge<'_>, v: &[[i64; 4]; 4], lines: &[usize]) -> Ou
 pub(super) fn projected(judge: &mut Judge<'_>) -> Outcome {
     let mut r = Rng::new(90);
     for _ in 0..40 {
-        let v = [(-0.9, -0.8, 410), (0.9, -0.7, 410), (0.8, 0.9, 16_384), (-0.7, 0.8, 16_384)].map(
-            |(x, y, w)| {
+        let corners = [(-0.9, -0.8, 410), (0.9, -0.7, 410), (0.8, 0.9, 16_384), (-0.7, 0.8, 16_384)];
+        let quad = || {
+            corners.map(|(x, y, w)| {
                 let mut beside = |c: f64| ((c + r.real(-0.2, 0.2)) * f64::from(w)) as i64;
                 [beside(x), beside(y), 200, i64::from(w)]
-            },
-        );
-        compare_quad(judge, &v, &[0, 2])?;
+            })
+        };
+        compare_quad(judge, quad, &[0, 2])?;
     }
     Ok(())
 }
@@ -156,19 +164,22 @@ pub(super) fn vertices(judge: &mut Judge<'_>) -> Outcome {
 pub(super) fn both_sides(judge: &mut Judge<'_>) -> Outcome {
     let mut r = Rng::new(94);
     for round in 0..90 {
-        let mut corner = |reach: i64| {
-            let z = [r.range(-3_000, 30_000), 300][r.index(2)];
-            [r.range(-reach, reach), r.range(-reach, reach), z, r.range(-20_000, 60_000)]
+        let quad = || {
+            let mut corner = |reach: i64| {
+                let z = [r.range(-3_000, 30_000), 300][r.index(2)];
+                [r.range(-reach, reach), r.range(-reach, reach), z, r.range(-20_000, 60_000)]
+            };
+            let reach = if round % 3 == 0 { 50_000 } else { 2_000_000 };
+            let [mut a, mut b, mut c] = [corner(reach), corner(reach), corner(reach)];
+            if round % 3 == 2 {
+                // Only one of the two is cut, and the shared edge ends on the near plane or a hair inside of it.
+                let mut at = |w: i64, reach: i64| [r.range(-reach, reach), r.range(-reach, reach), 300, w];
+                (a, b, c) = (at(300 + round, 600), at(290 - 5 * round, 600), at(300 + round % 4, 300));
+            }
+            let d = [0, 1, 2, 3].map(|k| a[k] + c[k] - b[k]);
+            [a, b, c, d]
         };
-        let reach = if round % 3 == 0 { 50_000 } else { 2_000_000 };
-        let [mut a, mut b, mut c] = [corner(reach), corner(reach), corner(reach)];
-        if round % 3 == 2 {
-            // Only one of the two is cut, and the shared edge ends on the near plane or a hair inside of it.
-            let mut at = |w: i64, reach: i64| [r.range(-reach, reach), r.range(-reach, reach), 300, w];
-            (a, b, c) = (at(300 + round, 600), at(290 - 5 * round, 600), at(300 + round % 4, 300));
-        }
-        let d = [0, 1, 2, 3].map(|k| a[k] + c[k] - b[k]);
-        compare_quad(judge, &[a, b, c, d], &[0, 2, 3, 4])?;
+        compare_quad(judge, quad, &[0, 2, 3, 4])?;
     }
     Ok(())
 }

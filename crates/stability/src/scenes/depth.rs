@@ -2,7 +2,7 @@
 
 use crate::inputs::classes::permuted;
 use crate::inputs::rng::Rng;
-use crate::judge::{Judge, Outcome, Stop, place};
+use crate::judge::{ALONE, Judge, Outcome, Stop, place};
 use crate::oracle::coverage::{Vertex, area2, covers, row_span};
 use crate::oracle::depth::depth_units_at;
 
@@ -22,35 +22,55 @@ fn depths(r: &mut Rng) -> [f32; 3] {
     })
 }
 
-/// Draws a snapped triangle alone and checks coverage, and depth wherever it is covered, if the rasteriser gives any.
-fn compare(judge: &mut Judge<'_>, size: [u32; 2], t: &[Vertex; 3], z: [f32; 3]) -> Outcome {
-    let drawn = judge.compare(size, t, z)?;
-    let Some(depth) = drawn.depth else { return Ok(()) };
-    let width = size[0] as usize;
-    for (j, (depth, ids)) in depth.chunks(width).zip(drawn.ids.chunks(width)).enumerate() {
+/// A snapped triangle and the depths of its vertices.
+type Sheet = ([Vertex; 3], [f32; 3]);
+
+/// Counts the covered pixels of a triangle whose depth is wrong.
+fn compare(judge: &mut Judge<'_>, width: usize, (t, z): &Sheet, ids: &[u32], depth: &[f32]) {
+    for (j, (depth, ids)) in depth.chunks(width).zip(ids.chunks(width)).enumerate() {
         for i in row_span(t, j as i64, judge.sample, width) {
             if ids[i] == 1 {
-                let units = depth_units_at(t, z, i as i64, j as i64, judge.sample, depth[i]);
+                let units = depth_units_at(t, *z, i as i64, j as i64, judge.sample, depth[i]);
                 judge.check(units <= UNITS);
             }
         }
     }
+}
+
+const SLIVERS: [u32; 2] = [1024, 64];
+
+/// 1,000 px long, one sub-pixel thick; a slope takes them through some samples.
+fn all_slivers(sample: [i64; 2]) -> Vec<Sheet> {
+    let mut r = Rng::new(110);
+    let sliver = |k: usize| {
+        let y = sample[1] + 256 * r.range(0, 40);
+        let rise = r.range(-3, 3) * 128;
+        let (x, off) = if k.is_multiple_of(2) { (6, 0) } else { (500, rise / 2) };
+        let t = [[6 * 256, y], [1006 * 256, y + rise], [x * 256, y + 1 + off]];
+        let z = if k < 40 { [1.0, 1e-6, 0.5] } else { depths(&mut r) };
+        let order = permuted(&[0, 1, 2], k);
+        (area2(&t) != 0).then(|| (order.map(|k| t[k]), order.map(|k| z[k])))
+    };
+    (0..80).filter_map(sliver).collect()
+}
+
+/// Which pixels slivers cover.
+pub(super) fn slivers(judge: &mut Judge<'_>) -> Outcome {
+    for (t, z) in all_slivers(judge.sample) {
+        judge.compare(SLIVERS, &t, z)?;
+    }
     Ok(())
 }
 
-/// 1,000 px long, one sub-pixel thick; a slope takes them through some samples.
-pub(super) fn slivers(judge: &mut Judge<'_>) -> Outcome {
-    let mut r = Rng::new(110);
-    for k in 0..80_usize {
-        let y = judge.sample[1] + 256 * r.range(0, 40);
-        let rise = r.range(-3, 3) * 128;
-        let (x, off) = if k % 2 == 0 { (6, 0) } else { (500, rise / 2) };
-        let t = [[6 * 256, y], [1006 * 256, y + rise], [x * 256, y + 1 + off]];
-        let z = if k < 40 { [1.0, 1e-6, 0.5] } else { depths(&mut r) };
-        if area2(&t) != 0 {
-            let order = permuted(&[0, 1, 2], k);
-            compare(judge, [1024, 64], &order.map(|k| t[k]), order.map(|k| z[k]))?;
-        }
+/// Their depth, of which one without has nothing to say.
+pub(super) fn sliver_depths(judge: &mut Judge<'_>) -> Outcome {
+    for sheet in all_slivers(judge.sample) {
+        let v = [0, 1, 2].map(|k| place(sheet.0[k], SLIVERS, sheet.1[k]));
+        let drawn = judge.draw(SLIVERS, &v, &ALONE)?;
+        let depth = drawn.depth.ok_or(Stop::NotAsked)?;
+        // A pixel that is missing has no depth either.
+        judge.covers(SLIVERS, &sheet.0, &drawn.ids);
+        compare(judge, SLIVERS[0] as usize, &sheet, &drawn.ids, &depth);
     }
     Ok(())
 }
@@ -60,7 +80,7 @@ pub(super) fn slivers(judge: &mut Judge<'_>) -> Outcome {
 pub(super) fn far_off(judge: &mut Judge<'_>) -> Outcome {
     let size = [4096, 2048];
     let mut r = Rng::new(111);
-    let all: Vec<([Vertex; 3], [f32; 3])> = (0..40)
+    let all: Vec<Sheet> = (0..40)
         .map(|k| {
             let corner = [256 * (3990 + 3 * (k % 8)), 256 * (1990 + 3 * (k / 8))];
             ([(); 3].map(|()| corner.map(|c| c + r.range(0, 512))), depths(&mut r))
@@ -84,8 +104,12 @@ pub(super) fn far_off(judge: &mut Judge<'_>) -> Outcome {
 }
 
 /// From depth 1 at the near plane to a millionth of it. The vertex to start from decides how much is lost.
+///
+/// Without a depth only pixels can be wrong here; where none is, nothing was asked.
 pub(super) fn steep(judge: &mut Judge<'_>) -> Outcome {
     let mut r = Rng::new(112);
+    let size = [64, 64];
+    let mut asked = true;
     for k in 0..120 {
         let mut x = || r.range(-256 * 100, 256 * 164);
         let xs = [x(), x(), x()];
@@ -93,8 +117,13 @@ pub(super) fn steep(judge: &mut Judge<'_>) -> Outcome {
         let z = [1e-6, 1.0, [1e-6, 1.0, 1e-3][r.index(3)]];
         if area2(&t) != 0 {
             let order = permuted(&[0, 1, 2], k);
-            compare(judge, [64, 64], &order.map(|k| t[k]), order.map(|k| z[k]))?;
+            let sheet = (order.map(|k| t[k]), order.map(|k| z[k]));
+            let drawn = judge.compare(size, &sheet.0, sheet.1)?;
+            match &drawn.depth {
+                Some(depth) => compare(judge, size[0] as usize, &sheet, &drawn.ids, depth),
+                None => asked = false,
+            }
         }
     }
-    Ok(())
+    if asked { Ok(()) } else { Err(Stop::NotAsked) }
 }
