@@ -14,6 +14,8 @@ use crate::compare::{CompareError, Image, MAX_PIXELS, Pixels};
 use crate::error::{Error, one_line};
 use crate::pfm;
 
+mod complete;
+
 /// The largest file that is read, in bytes: room for the largest picture, uncompressed.
 pub const MAX_FILE: u64 = 1 << 31;
 
@@ -152,9 +154,11 @@ impl Kind {
 }
 
 fn distances(bytes: &[u8], name: &Path) -> Result<Decoded, Error> {
-    let (width, height, values) =
-        pfm::read(bytes).map_err(|error| Error::file(name, format!("this PFM {error}")))?;
+    let failed = |error: pfm::PfmError| Error::file(name, format!("this PFM {error}"));
+    let header = pfm::Header::of(bytes).map_err(failed)?;
+    let [width, height] = header.size();
     check_size(width, height, name)?;
+    let values = header.values().map_err(failed)?;
     Ok(Decoded { width, height, format: "PFM", stored: Stored::Distances(values) })
 }
 
@@ -170,6 +174,9 @@ fn colors(bytes: &[u8], format: ImageFormat, label: &'static str, name: &Path) -
         };
         Error::file(name, what)
     };
+    if !complete::is_complete(bytes, format) {
+        return Err(Error::file(name, format!("this {label} ends too early: it is damaged")));
+    }
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::no_limits();
     // Four channels of 16 bits, and as much again for what decoders keep besides.
@@ -281,6 +288,19 @@ mod tests {
             let error = read(bytes).unwrap_err();
             assert!(error.starts_with("x: ") && error.contains(substance), "{error}");
             assert_eq!(error.lines().count(), 1, "{error}");
+        }
+    }
+
+    #[test]
+    fn no_format_is_read_that_is_cut_short() {
+        for format in ImageFormat::ALL {
+            let mut bytes = Vec::new();
+            write_picture(&mut bytes, format, &picture(None)).unwrap();
+            assert!(read(&bytes).is_ok(), "{format:?}");
+            for left in 0..bytes.len() {
+                let found = read(&bytes[..left]);
+                assert!(found.is_err(), "{format:?}: {left} of {} bytes", bytes.len());
+            }
         }
     }
 

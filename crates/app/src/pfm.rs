@@ -7,6 +7,7 @@
 //! ..........    rows from the bottom up, each from left to right, four bytes a pixel
 //! ```
 
+use std::cmp::Ordering;
 use std::io::{self, Write};
 
 /// What is wrong with a file that should be PFM.
@@ -35,39 +36,95 @@ pub enum PfmError {
         /// Bytes that the size asks for.
         expected: usize,
     },
+    /// It goes on after its last value: its values may not be where they seem to be.
+    #[error("has {found} bytes of pixels, its size asks for {expected}: it is damaged")]
+    Long {
+        /// Bytes after the header.
+        found: usize,
+        /// Bytes that the size asks for.
+        expected: usize,
+    },
+    /// There is no memory for its values.
+    #[error("needs {bytes} bytes of memory, which are not free")]
+    Memory {
+        /// Bytes of its values.
+        bytes: usize,
+    },
 }
 
 /// Reads a PFM of one channel, of either byte order: width, height, and the values, rows from top to bottom. The size
-/// of the scale, of which the sign is the byte order, is ignored; so are bytes after the last value.
+/// of the scale, of which the sign is the byte order, is ignored. Lines of the header end with any one white space, or
+/// all with CR LF.
 ///
 /// # Errors
 ///
-/// When the bytes are no such file. No more memory is taken than they fill.
+/// When the bytes are no such file, or are more or fewer than its size asks for, or there is no memory for its
+/// values. No more memory is taken than those fill.
 pub fn read(bytes: &[u8]) -> Result<(u32, u32, Vec<f32>), PfmError> {
-    let mut rest = bytes;
-    let mut word = || {
-        let text = rest.trim_ascii_start();
-        let end = text.iter().position(u8::is_ascii_whitespace)?;
-        let (word, after) = text.split_at(end);
-        // One white space ends a word; after the last, the pixels begin, which may look like some.
-        rest = &after[1..];
-        str::from_utf8(word).ok()
-    };
-    match word() {
-        Some("Pf") => {}
-        Some("PF") => return Err(PfmError::Color),
-        _ => return Err(PfmError::Header),
+    let header = Header::of(bytes)?;
+    let [width, height] = header.size();
+    Ok((width, height, header.values()?))
+}
+
+/// What a file says of itself, and the bytes after that.
+#[derive(Debug)]
+pub(crate) struct Header<'a> {
+    width: u32,
+    height: u32,
+    little_endian: bool,
+    pixels: &'a [u8],
+}
+
+impl<'a> Header<'a> {
+    /// What is before the pixels, by which a size can be refused before memory is taken.
+    pub(crate) fn of(bytes: &'a [u8]) -> Result<Self, PfmError> {
+        let mut rest = bytes;
+        let mut word = || {
+            let text = rest.trim_ascii_start();
+            let end = text.iter().position(u8::is_ascii_whitespace)?;
+            let (word, after) = text.split_at(end);
+            // One white space ends a word; after the last, the pixels begin, which may look like some.
+            rest = &after[1..];
+            Some((str::from_utf8(word).ok()?, after.starts_with(b"\r\n")))
+        };
+        let two_bytes_end_lines = match word() {
+            Some(("Pf", crlf)) => crlf,
+            Some(("PF", _)) => return Err(PfmError::Color),
+            _ => return Err(PfmError::Header),
+        };
+        let mut side = || word().and_then(|(word, _)| word.parse::<u32>().ok()).ok_or(PfmError::Header);
+        let (width, height) = (side()?, side()?);
+        let (scale, crlf) = word().ok_or(PfmError::Header)?;
+        let scale: f32 = scale.parse().map_err(|_| PfmError::Header)?;
+        // Only where the first line ends so as well: a first value may begin with the code of LF.
+        let pixels = if two_bytes_end_lines && crlf { &rest[1..] } else { rest };
+        Ok(Self { width, height, little_endian: scale.is_sign_negative(), pixels })
     }
-    let mut side = || word().and_then(|word| word.parse::<u32>().ok()).ok_or(PfmError::Header);
-    let (width, height) = (side()?, side()?);
-    let scale: f32 = word().and_then(|word| word.parse().ok()).ok_or(PfmError::Header)?;
-    let size = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(4));
-    let size = size.filter(|size| *size > 0).ok_or(PfmError::Size { width, height })?;
-    let pixels = rest.get(..size).ok_or(PfmError::Short { found: rest.len(), expected: size })?;
-    let value = if scale.is_sign_negative() { f32::from_le_bytes } else { f32::from_be_bytes };
-    let rows = pixels.chunks_exact(4 * width as usize).rev();
-    let values = rows.flat_map(|row| row.as_chunks::<4>().0).map(|bytes| value(*bytes));
-    Ok((width, height, values.collect()))
+
+    /// Width and height.
+    pub(crate) const fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// The values, rows from top to bottom.
+    pub(crate) fn values(&self) -> Result<Vec<f32>, PfmError> {
+        let (width, height) = (self.width, self.height);
+        let size = (width as usize).checked_mul(height as usize).and_then(|pixels| pixels.checked_mul(4));
+        let expected = size.filter(|size| *size > 0).ok_or(PfmError::Size { width, height })?;
+        let found = self.pixels.len();
+        match found.cmp(&expected) {
+            Ordering::Less => return Err(PfmError::Short { found, expected }),
+            Ordering::Greater => return Err(PfmError::Long { found, expected }),
+            Ordering::Equal => {}
+        }
+        let value = if self.little_endian { f32::from_le_bytes } else { f32::from_be_bytes };
+        let mut values = Vec::new();
+        values.try_reserve_exact(expected / 4).map_err(|_| PfmError::Memory { bytes: expected })?;
+        for row in self.pixels.chunks_exact(4 * width as usize).rev() {
+            values.extend(row.as_chunks::<4>().0.iter().map(|bytes| value(*bytes)));
+        }
+        Ok(values)
+    }
 }
 
 /// Writes `values`, rows from top to bottom without gaps, as PFM; infinities and NaN are kept.
@@ -119,9 +176,18 @@ mod tests {
     #[test]
     fn both_byte_orders_are_read_and_rows_turned_back() {
         let little = b"Pf\n2 2\n-1.0\n\0\0\0\x40\0\0\x80\x40\0\0\x80\x3f\0\0\x80\x7f";
-        let big = b"Pf 2 2 1 \x40\0\0\0\x40\x80\0\0\x3f\x80\0\0\x7f\x80\0\0and more";
+        let big = b"Pf 2 2 1 \x40\0\0\0\x40\x80\0\0\x3f\x80\0\0\x7f\x80\0\0";
         let expected = Ok((2, 2, vec![1.0, f32::INFINITY, 2.0, 4.0]));
         assert_eq!((read(little), read(big)), (expected.clone(), expected));
+    }
+
+    #[test]
+    fn a_header_of_two_bytes_a_line_end_moves_no_value() {
+        // The first value begins with the code of LF.
+        let value = f32::from_le_bytes(*b"\n\0\x80?");
+        for header in [&b"Pf\r\n1 1\r\n-1\r\n"[..], b"Pf\n1 1\n-1\n", b"Pf\n1 1\n-1\r", b"Pf 1 1 -1 "] {
+            assert_eq!(read(&[header, b"\n\0\x80?"].concat()), Ok((1, 1, vec![value])), "{header:?}");
+        }
     }
 
     #[test]
@@ -135,6 +201,9 @@ mod tests {
             (b"PF\n1 1\n-1.0\n", PfmError::Color),
             (b"Pf\n0 7\n-1.0\n", PfmError::Size { width: 0, height: 7 }),
             (b"Pf\n1 2\n-1.0\n1234567", PfmError::Short { found: 7, expected: 8 }),
+            (b"Pf\n1 2\n-1.0\n123456789", PfmError::Long { found: 9, expected: 8 }),
+            (b"Pf\n1 2\n-1.0\r\n12345678", PfmError::Long { found: 9, expected: 8 }),
+            (b"Pf\r\n1 2\r\n-1.0\r\n1234567", PfmError::Short { found: 7, expected: 8 }),
         ] {
             assert_eq!(read(bytes), Err(error), "{:?}", String::from_utf8_lossy(bytes));
         }
