@@ -102,12 +102,21 @@ fn complain(error: &Error) {
     tell(&format!("polosa: {error}\n"), true);
 }
 
-/// Prints a report. That its reader has gone away is no failure.
+/// Prints what may go unread: that nobody takes it is no failure.
 fn tell(text: &str, to_stderr: bool) {
-    let _ = if to_stderr {
+    let _ = print(text, to_stderr);
+}
+
+/// Prints a report. That its reader has gone away is no failure, that there is no room for it is one.
+fn print(text: &str, to_stderr: bool) -> io::Result<()> {
+    let printed = if to_stderr {
         io::stderr().write_all(text.as_bytes())
     } else {
         let mut out = io::stdout().lock();
         out.write_all(text.as_bytes()).and_then(|()| out.flush())
     };
+    match printed {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        printed => printed,
+    }
 }

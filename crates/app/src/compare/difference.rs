@@ -5,6 +5,7 @@
 
 use polosa_scene::{DrawStats, Picture};
 
+use super::figures::check_kinds;
 use super::rows::{Rgba, code_limit, colors, common_depth, difference, gap};
 use super::{CompareError, Image, MAX_PIXELS, Pixels};
 
@@ -32,6 +33,7 @@ const DIM: u64 = 85;
 ///
 /// When one has colours and the other distances, or when so large a picture has too many pixels.
 pub fn difference_picture(a: &Image<'_>, b: &Image<'_>, threshold: f64) -> Result<Picture, CompareError> {
+    check_kinds(a, b)?;
     let [width, height] = [0, 1].map(|side| a.size()[side].max(b.size()[side]));
     let size = u64::from(width) * u64::from(height);
     let size = usize::try_from(size).ok().filter(|size| *size <= MAX_PIXELS);

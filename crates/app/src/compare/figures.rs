@@ -11,8 +11,10 @@ use super::{Background, CompareError, Comparison, Image, Pixels, Settings};
 ///
 /// # Errors
 ///
-/// When their sizes differ, or one has colours and the other distances.
+/// When one has colours and the other distances, whatever their sizes; else when their sizes differ.
 pub fn compare(a: &Image<'_>, b: &Image<'_>, settings: &Settings) -> Result<Comparison, CompareError> {
+    // First what no size would mend: with two sizes it is known that the pictures differ, with two kinds nothing is.
+    check_kinds(a, b)?;
     if a.size() != b.size() {
         return Err(CompareError::Sizes { a: a.size(), b: b.size() });
     }
@@ -44,6 +46,12 @@ pub fn compare(a: &Image<'_>, b: &Image<'_>, settings: &Settings) -> Result<Comp
         psnr_db: tally.psnr,
         silhouette_px: distance(&of_a, &of_b, width as usize),
     })
+}
+
+/// Refuses colours on one side and distances on the other.
+pub(super) fn check_kinds(a: &Image<'_>, b: &Image<'_>) -> Result<(), CompareError> {
+    let [a, b] = [a, b].map(|image| image.pixels.largest_code().is_some());
+    if a == b { Ok(()) } else { Err(CompareError::Kinds) }
 }
 
 /// What is counted.

@@ -28,11 +28,12 @@ pub(super) fn distance(a: &[bool], b: &[bool], width: usize) -> Option<f64> {
 /// The pixels that show something beside one that does not.
 fn outline(shown: &[bool], width: usize) -> Vec<bool> {
     let mut outline = vec![false; shown.len()];
-    let rows: Vec<&[bool]> = shown.chunks_exact(width).collect();
+    let height = shown.len() / width;
+    // No list of rows: of narrow pictures it would be many times as large as the pictures.
+    let row_at = |y: usize| &shown[y * width..][..width];
     for (y, outline) in outline.chunks_exact_mut(width).enumerate() {
-        let row = rows[y];
         // At the edges a pixel stands for the neighbour that nothing is known of.
-        let [above, below] = [y.saturating_sub(1), (y + 1).min(rows.len() - 1)].map(|y| rows[y]);
+        let [above, row, below] = [y.saturating_sub(1), y, (y + 1).min(height - 1)].map(row_at);
         for (((edge, shown), above), below) in outline.iter_mut().zip(row).zip(above).zip(below) {
             *edge = shown & !(above & below);
         }
@@ -58,8 +59,10 @@ fn farthest(from: &[bool], to: &[bool], width: usize) -> i64 {
     let last = rows().rposition(asking).unwrap_or(first);
 
     let columns = columns(to, width, first, last);
-    let sites: Vec<usize> = (0..width).filter(|x| columns[*x] != FAR).collect();
-    let mut envelope = Vec::new();
+    // As large as they can become, so that none doubles when it is full: whoever asked for memory knows how much.
+    let mut sites = Vec::with_capacity(width);
+    sites.extend((0..width).filter(|x| columns[*x] != FAR));
+    let mut envelope = Vec::with_capacity(sites.len());
     let mut farthest = 0;
     for ((from, to), columns) in rows().skip(first).zip(columns.chunks_exact(width)) {
         if !asking((from, to)) {

@@ -258,6 +258,60 @@ fn what_cannot_be_read_is_trouble_with_a_line_each() {
 }
 
 #[test]
+fn what_is_cut_short_is_trouble_in_every_format() {
+    let mut folder = Folder::new();
+    for extension in ["png", "jpg", "bmp", "tga", "qoi", "ppm"] {
+        folder.done(&format!("render shape:teapot --resolution 40,30 -o a.{extension}"));
+    }
+    folder.done("render shape:teapot --resolution 40,30 -o b.png --depth-image a.pfm");
+    for extension in ["png", "jpg", "bmp", "tga", "qoi", "ppm", "pfm"] {
+        let name = format!("a.{extension}");
+        let bytes = folder.bytes(&name);
+        for left in [bytes.len() / 2, bytes.len() - 9, bytes.len() - 1] {
+            folder = folder.with("cut", &bytes[..left]);
+            let said = trouble(&folder, &format!("{name} cut"));
+            assert!(said.stderr.starts_with("polosa: cut: "), "{extension} {left}: {}", said.stderr);
+        }
+        folder.done(&format!("compare {name} {name}"));
+    }
+}
+
+#[test]
+fn colors_beside_distances_are_trouble_whatever_their_sizes() {
+    let folder = folder().with("one.pfm", b"Pf\n1 1\n-1.0\n\0\0\x80\x3f");
+    for arguments in ["a.png one.pfm", "one.pfm a.png", "a.png one.pfm --diff d.png"] {
+        let said = trouble(&folder, arguments);
+        assert!(said.stderr.contains("one holds colours and the other distances"), "{}", said.stderr);
+    }
+}
+
+#[test]
+fn a_difference_picture_too_large_is_refused_by_name() {
+    let side = 100_000;
+    let picture = |size: String| [format!("P5 {size} 255 ").as_bytes(), &vec![7; side]].concat();
+    let folder = Folder::new()
+        .with("wide.pgm", picture(format!("{side} 1")))
+        .with("high.pgm", picture(format!("1 {side}")));
+    assert_eq!(folder.run("compare wide.pgm high.pgm").status, Some(1));
+    let said = trouble(&folder, "wide.pgm high.pgm --diff d.png");
+    assert!(said.stderr.contains("--diff") && said.stderr.contains("100000×100000"), "{}", said.stderr);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_report_that_there_is_no_room_for_is_trouble() {
+    let folder = folder();
+    for (arguments, status) in [("a.png a.png", 2), ("a.png b.png --json", 2), ("a.png b.png --quiet", 1)] {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let mut command = folder.command();
+        command.arg("compare").args(arguments.split(' ')).stdout(full);
+        let said = crate::support::said(command.output().unwrap());
+        assert_eq!(said.status, Some(status), "{arguments}: {said:?}");
+        assert_eq!(said.stderr.contains("standard output: cannot be written"), status == 2, "{said:?}");
+    }
+}
+
+#[test]
 fn what_render_writes_is_read_whatever_its_name_says() {
     let folder = Folder::new();
     let options = "shape:teapot --resolution 40,30";

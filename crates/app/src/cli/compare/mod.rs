@@ -21,7 +21,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use super::args::{self, OutputArg};
 use super::job::{self, identity, is_special};
 use super::progress::Progress;
-use super::{complain, tell};
+use super::{complain, print};
 use crate::compare::{
     Background, CompareError, Comparison, Image, MAX_PIXELS, Settings, compare, difference_picture,
 };
@@ -168,7 +168,9 @@ fn answer(args: &CompareArgs) -> Result<bool, Vec<Error>> {
     drop(progress);
     if !args.quiet {
         let report = if args.json { report::json(args, &made) } else { report::text(args, &made) };
-        tell(&report, diff.is_some_and(|(to, _)| to == Destination::Stdout));
+        let to_stderr = diff.is_some_and(|(to, _)| to == Destination::Stdout);
+        let name = if to_stderr { "standard error" } else { "standard output" };
+        print(&report, to_stderr).map_err(|error| alone(Error::write(name, error)))?;
     }
     Ok(made.same())
 }
@@ -200,13 +202,24 @@ fn compared(
         let names = [&args.a, &args.b].map(|picture| picture.name().to_string_lossy());
         Error::file(format!("{} and {}", names[0], names[1]), error.to_string())
     };
-    // Silhouettes, outlines and ways have eight bytes a pixel, the picture of what differs has four.
-    let [width, height] = [0, 1].map(|side| u64::from(a.size()[side].max(b.size()[side])));
-    let shown = if diff.is_some() { (width * height).min(MAX_PIXELS as u64) } else { 0 };
-    let pixels = a.size().map(u64::from).iter().product::<u64>();
-    reserve(8 * pixels + 4 * shown, args.a.name())?;
     let [image_a, image_b] = [a, b].map(Decoded::image);
     let (image_a, image_b) = (image_a.map_err(failed)?, image_b.map_err(failed)?);
+    let [of_colors, too] = [&image_a, &image_b].map(|image| image.pixels().largest_code().is_some());
+    if of_colors != too {
+        return Err(failed(CompareError::Kinds));
+    }
+    // Before anything is compared, so that no answer that is known is lost.
+    let [width, height] = [0, 1].map(|side| u64::from(a.size()[side].max(b.size()[side])));
+    if diff.is_some() && width * height > MAX_PIXELS as u64 {
+        return usage(format!(
+            "--diff: its picture would have {width}×{height} pixels, more than {MAX_PIXELS}: leave it out"
+        ));
+    }
+    let shown = if diff.is_some() { width * height } else { 0 };
+    let pixels = a.size().map(u64::from).iter().product::<u64>();
+    // Silhouettes, outlines and ways have eight bytes a pixel, the picture of what differs has four; two rows of
+    // codes, and what the ways along a row need, have 44 bytes a pixel of a row.
+    reserve(8 * pixels + 44 * width + 4 * shown, args.a.name())?;
     let settings = Settings {
         threshold: args.threshold,
         allowed_pixels: args.allow_pixels,
