@@ -10,7 +10,16 @@ fn root() -> PathBuf {
 
 /// All documents: their place and their text.
 fn documents() -> Vec<(PathBuf, String)> {
-    let folders = ["", "docs", "examples", "crates/math", "crates/raster", "crates/scene", "crates/app"];
+    let folders = [
+        "",
+        "docs",
+        "examples",
+        "crates/math",
+        "crates/raster",
+        "crates/scene",
+        "crates/stability",
+        "crates/app",
+    ];
     let files = folders.into_iter().flat_map(|folder| {
         let entries = fs::read_dir(root().join(folder)).unwrap_or_else(|error| panic!("{folder}: {error}"));
         entries.map(|entry| entry.unwrap().path())
@@ -30,11 +39,15 @@ fn every_test_that_a_document_names_exists() {
     for (document, text) in documents() {
         for name in quoted(&text) {
             let (file, function) = name.split_once(".rs").unwrap_or(("", ""));
-            let layer = ["math/", "raster/", "scene/", "app/"].iter().any(|layer| file.starts_with(layer));
-            if !layer {
+            let starts = |folders: &[&str]| folders.iter().any(|folder| file.starts_with(folder));
+            let folder = if starts(&["math/", "raster/", "scene/", "app/", "stability/"]) {
+                "crates"
+            } else if starts(&["examples/tests/", "benches/tests/"]) {
+                ""
+            } else {
                 continue;
-            }
-            let path = root().join("crates").join(format!("{file}.rs"));
+            };
+            let path = root().join(folder).join(format!("{file}.rs"));
             let source = fs::read_to_string(&path)
                 .unwrap_or_else(|error| panic!("{}: `{name}`: {error}", document.display()));
             if let Some(function) = function.strip_prefix("::") {
