@@ -22,20 +22,14 @@ impl Area {
 
 /// Width and height of a text, as far as that is known without its font: rather too much.
 pub(crate) fn extent(text: &str, size: i32) -> [i32; 2] {
-    let narrow = |c: char| matches!(c, 'i' | 'l' | 'I' | '.' | ',' | ' ' | 't' | 'f' | 'r' | 'j' | '1' | '|');
-    let eighths: i32 = text
-        .chars()
-        .map(|c| {
-            if narrow(c) {
-                3
-            } else if c == 'm' || c == 'w' {
-                7
-            } else {
-                5
-            }
-        })
-        .sum();
-    [eighths * size / 8 + size / 4, size * 5 / 4]
+    let eighths = |c: char| match c {
+        'i' | 'l' | 'I' | '.' | ',' | ' ' | 't' | 'f' | 'r' | 'j' | '|' => 3,
+        'm' | 'w' | '×' => 7,
+        _ if c.is_uppercase() => 6,
+        _ => 5,
+    };
+    let eighths: i32 = text.chars().map(eighths).sum();
+    [eighths * size / 8 + size / 2, size * 5 / 4]
 }
 
 /// Room that is taken.

@@ -5,11 +5,8 @@ use crate::chart::{Axis, Color, Drawings, Figure, Guide, Line, Mark, Panel, Poin
 use crate::csv::Row;
 
 /// Who draws, and in which colour and mark.
-const WAYS: [(&str, Color, Mark); 3] = [
-    ("immediate", Color::Vermilion, Mark::Square),
-    ("frame", Color::Blue, Mark::Disc),
-    ("frame, 2 threads", Color::Green, Mark::Diamond),
-];
+const WAYS: [(&str, Color, Mark); 2] =
+    [("immediate", Color::Vermilion, Mark::Square), ("frame", Color::Blue, Mark::Disc)];
 
 const SEEN: &str = "triangles that are seen";
 const COVERED: &str = "pixels covered, each as often as it is covered";
@@ -31,7 +28,7 @@ const GROWTHS: [Growth; 6] = [
         shape: "sheet",
         name: "sheet, ",
         line: Line::Solid,
-        ways: &["immediate", "frame", "frame, 2 threads"],
+        ways: &["immediate", "frame"],
     },
     Growth { chart: TRIANGLES, shape: "ball", name: "ball, ", line: Line::Dashed, ways: &["frame"] },
     Growth { chart: TRIANGLES, shape: "dust", name: "dust, ", line: Line::Dashed, ways: &["frame"] },
@@ -52,7 +49,7 @@ pub(crate) fn draw(rows: &[Row]) -> Result<Drawings, String> {
         title: "Time grows with the triangles that are seen".to_owned(),
         notes: vec![
             format!(
-                "1920×1080, clear included, depth tested and written. A sheet of {} thousand pixels is cut into ever more triangles,",
+                "1920×1080, one thread, clear included, depth tested and written. A sheet of {} thousand pixels is cut into ever more triangles,",
                 thousands(rows, "sheet")
             ),
             format!(
@@ -69,7 +66,7 @@ pub(crate) fn draw(rows: &[Row]) -> Result<Drawings, String> {
     let by_pixels = Figure {
         title: "Time grows with the pixels that are covered".to_owned(),
         notes: vec![
-            "Clear included, depth tested and written. 1920×1080: a pair of triangles, from one pixel to the whole picture, and a pile of".to_owned(),
+            "One thread, clear included, depth tested and written. 1920×1080: a pair of triangles, from one pixel to the whole picture, and a pile of".to_owned(),
             "256 over each other. Whole: the pair over all of pictures from 320×240 to 3840×2160. Medians of rounds; bars: the median distance.".to_owned(),
         ],
         panels: vec![
