@@ -188,7 +188,7 @@ fn colors(bytes: &[u8], format: ImageFormat, label: &'static str, name: &Path) -
     // The picture as the decoder makes it, and that with four channels made of it.
     let deep = decoder.color_type().bytes_per_pixel() / decoder.color_type().channel_count() > 1;
     let made = decoder.total_bytes() + u64::from(width) * u64::from(height) * if deep { 8 } else { 4 };
-    reserve(made, name)?;
+    reserve(made, SMALLER, name)?;
     let stored = match DynamicImage::from_decoder(decoder).map_err(failed)? {
         picture if deep => Stored::Words(picture.into_rgba16().into_raw()),
         picture => Stored::Bytes(picture.into_rgba8().into_raw()),
@@ -204,15 +204,16 @@ fn check_size(width: u32, height: u32, name: &Path) -> Result<(), Error> {
     Err(Error::file(name, format!("has {width}×{height} pixels: there must be 1 to {MAX_PIXELS} in all")))
 }
 
+/// What to do where pictures that are read do not fit.
+pub(crate) const SMALLER: &str = "use smaller pictures";
+
 /// Asks whether there is memory for so many bytes, since running out of it on the way would end the program without
 /// a word.
-pub(crate) fn reserve(bytes: u64, name: &Path) -> Result<(), Error> {
+/// `advice` says what to do where there is none.
+pub(crate) fn reserve(bytes: u64, advice: &str, name: &Path) -> Result<(), Error> {
     let room = usize::try_from(bytes).unwrap_or(usize::MAX);
     Vec::<u8>::new().try_reserve_exact(room).map_err(|_| {
-        Error::file(
-            name,
-            format!("needs {} MiB of memory, which are not free: use smaller pictures", bytes >> 20),
-        )
+        Error::file(name, format!("needs {} MiB of memory, which are not free: {advice}", bytes >> 20))
     })
 }
 

@@ -23,7 +23,8 @@ use polosa_raster::{
 
 use self::blended::{Blended, Format};
 use self::hidden::Hidden;
-use self::surface::{Surface, Take};
+use self::surface::Take;
+pub(crate) use self::surface::{Paint, Surface};
 use crate::light::LANES;
 use crate::shades::Shades;
 use crate::share;
@@ -31,7 +32,7 @@ use crate::timings::{Clock, Timings};
 use crate::{Camera, Color, Colors, DrawStats, Light, Mesh, Object, Show, Style, World};
 
 /// Ways of showing that draw triangles.
-const SURFACES: &[Show] = &[Show::Surface, Show::Both];
+pub(crate) const SURFACES: &[Show] = &[Show::Surface, Show::Both];
 /// Ways of showing that draw lines.
 const LINES: &[Show] = &[Show::Both, Show::Wire];
 
@@ -378,7 +379,7 @@ const fn cleared(format: StoredDepth) -> StoredDepth {
 }
 
 /// The visible objects that are shown in one of some ways, in the order in which they were added.
-fn shown<'a>(world: &'a World, ways: &'a [Show]) -> impl Iterator<Item = (&'a Object, &'a Mesh)> {
+pub(crate) fn shown<'a>(world: &'a World, ways: &'a [Show]) -> impl Iterator<Item = (&'a Object, &'a Mesh)> {
     world
         .objects()
         .map(|(_, object)| object)

@@ -130,10 +130,7 @@ impl Picture {
         settings: &PictureSettings,
     ) -> Result<Self, TargetError> {
         let PictureSettings { width, height, .. } = *settings;
-        if [width, height].iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
-            return Err(TargetError::Size { width, height });
-        }
-        let size = width as usize * height as usize;
+        let size = pixels(width, height)?;
         let mut picture = Self {
             width,
             height,
@@ -196,6 +193,14 @@ impl Picture {
             })
             .collect()
     }
+}
+
+/// The number of pixels of a picture, if it is possible: to be asked before memory is taken for it.
+pub(crate) fn pixels(width: u32, height: u32) -> Result<usize, TargetError> {
+    if [width, height].iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
+        return Err(TargetError::Size { width, height });
+    }
+    Ok(width as usize * height as usize)
 }
 
 /// Some rows of a picture.

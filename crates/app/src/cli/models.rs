@@ -12,6 +12,7 @@ use super::progress::Progress;
 use super::tell;
 use super::view_args::ViewArgs;
 use super::words::counted;
+use crate::decode;
 use crate::error::{Error, one_line};
 use crate::view::Up;
 
@@ -134,9 +135,5 @@ pub(super) fn reserve(
     // No more than 2²⁸ pixels: `ViewArgs::settings` has seen to that.
     let bytes = (bytes_a_pixel as u64 * u64::from(settings.width)).checked_mul(u64::from(settings.height));
     let bytes = bytes.and_then(|bytes| bytes.checked_add(more));
-    let room = bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX);
-    Vec::<u8>::new().try_reserve_exact(room).map_err(|_| {
-        let needed = bytes.unwrap_or(u64::MAX) >> 20;
-        Error::file(name, format!("needs {needed} MiB of memory, which are not free: lower --resolution"))
-    })
+    decode::reserve(bytes.unwrap_or(u64::MAX), "lower --resolution", name)
 }

@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use polosa_math::SUB_PIXELS;
+
 use super::grid::Grid;
 use super::names::methods;
 use super::{Corner, barycentric, exact, float_edges, float_scan, same_side, vertical};
@@ -114,7 +116,7 @@ impl Coverage {
         match self {
             Self::Strips | Self::Edges => exact::snapped(corners).map_or(*corners, |snapped| {
                 [0, 1, 2].map(|k| {
-                    let [x, y] = [snapped[k].x, snapped[k].y].map(|v| f64::from(v) / 256.0);
+                    let [x, y] = [snapped[k].x, snapped[k].y].map(|v| f64::from(v) / f64::from(SUB_PIXELS));
                     [x, y, corners[k][2]]
                 })
             }),

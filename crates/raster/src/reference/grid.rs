@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use polosa_math::SUB_PIXELS;
+
 use super::{Corner, Visit};
 use crate::{MAX_SIDE, Rect, Sample};
 
@@ -20,7 +22,7 @@ impl Grid {
         let cut = rect.intersection(all);
         let empty = cut.x0 >= cut.x1 || cut.y0 >= cut.y1;
         let rect = if empty { Rect { x1: 0, y1: 0, ..all } } else { cut };
-        Self { rect, sample, offset: sample.sub_pixels().map(|s| f64::from(s) / 256.0) }
+        Self { rect, sample, offset: sample.sub_pixels().map(|s| f64::from(s) / f64::from(SUB_PIXELS)) }
     }
 
     /// Where column `i` is sampled, in pixels.
@@ -116,6 +118,7 @@ pub(super) fn runs(
             continue;
         }
         let x0 = x;
+        x += 1;
         while x < end && inside(x) {
             x += 1;
         }

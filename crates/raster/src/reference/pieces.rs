@@ -7,7 +7,7 @@
 use polosa_math::Viewport;
 
 use super::exact::snapped;
-use super::{Corner, Coverage};
+use super::{Corner, Coverage, same_side};
 use crate::clip::{Clipper, MOST};
 use crate::triangle::cross;
 use crate::{Clip, Cull, Facing, Space, State, Stats, Triangle};
@@ -128,7 +128,7 @@ impl Preparation {
             // Below 2⁵³: exact.
             fan.clone().map(|piece| snapped(&piece).map_or(0.0, |[a, b, c]| wide(cross(&a, &b, &c)))).sum()
         } else {
-            fan.clone().map(|piece| area(&piece)).sum()
+            fan.clone().map(|[a, b, c]| same_side::cross(&a, &b, [c[0], c[1]])).sum()
         };
         if self.snaps && area == 0.0 {
             stats.degenerate += 1;
@@ -156,11 +156,6 @@ impl Preparation {
             }
         }
     }
-}
-
-/// Twice the area: positive clockwise on the screen.
-fn area([a, b, c]: &[Corner; 3]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
 #[expect(clippy::cast_precision_loss, reason = "an area is below 2⁵³")]

@@ -8,18 +8,18 @@ use crate::shades::Shades;
 use crate::{Color, Colors, Mesh, Object};
 
 /// An object's surface, as one view shows it.
-pub(super) struct Surface<'a> {
+pub(crate) struct Surface<'a> {
     pub(super) object: &'a Object,
-    pub(super) mesh: &'a Mesh,
+    pub(crate) mesh: &'a Mesh,
     /// Model to clip space.
-    pub(super) matrix: Columns,
+    pub(crate) matrix: Columns,
     pub(super) lighting: Lighting,
-    pub(super) paint: Paint<'a>,
+    pub(crate) paint: Paint<'a>,
 }
 
 /// Where a surface's colours come from.
 #[derive(Clone, Copy)]
-pub(super) enum Paint<'a> {
+pub(crate) enum Paint<'a> {
     /// One for all triangles.
     One(Color),
     /// One for each.
@@ -53,7 +53,7 @@ pub(super) trait Take<R> {
 const WORTH_SHADES: usize = 2_000;
 
 impl<'a> Surface<'a> {
-    pub(super) fn new(view: &View<'_>, object: &'a Object, mesh: &'a Mesh) -> Self {
+    pub(crate) fn new(view: &View<'_>, object: &'a Object, mesh: &'a Mesh) -> Self {
         Self {
             object,
             mesh,
@@ -68,7 +68,7 @@ impl<'a> Surface<'a> {
     }
 
     /// How much of its colour a triangle shows.
-    pub(super) fn intensity(&self, index: usize) -> f32 {
+    pub(crate) fn intensity(&self, index: usize) -> f32 {
         let positions = self.mesh.positions();
         self.lighting.intensity(self.mesh.triangles()[index].map(|vertex| positions[vertex as usize]))
     }

@@ -1,13 +1,11 @@
 //! A whole picture by methods for comparison.
 
-use core::ops::Range;
-
 use polosa_raster::reference::{self, Coverage, Hidden, ZBuffer};
 use polosa_raster::{Clip, Depth, Stats, Target, TargetError, transform};
 
 use super::Shading;
-use crate::light::Lighting;
-use crate::{Camera, Color, Colors, DrawStats, Light, Mesh, Object, Picture, Show, Style, World, srgb};
+use crate::draw::{Paint, SURFACES, Surface, View, shown};
+use crate::{Camera, Color, DrawStats, Light, Picture, Style, World, picture, srgb};
 
 /// How to draw a world: by default exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -58,21 +56,12 @@ impl Methods {
         [width, height]: [u32; 2],
         background: Color,
     ) -> Result<Picture, TargetError> {
-        // An impossible size is refused before memory is taken for it.
-        Target::<u32>::new(&mut [], Depth::None, width, height, width as usize).map(drop).or_else(
-            |error| match error {
-                TargetError::Size { .. } => Err(error),
-                _ => Ok(()),
-            },
-        )?;
-        let mut pixels = vec![background.to_u32(); width as usize * height as usize];
+        let mut pixels = vec![background.to_u32(); picture::pixels(width, height)?];
         let mut target = Target::new(&mut pixels, Depth::None, width, height, width as usize)?;
+        let view = View { world, camera, light, style };
         let mut scene = Scene::default();
-        for (_, object) in world.objects() {
-            let surface = object.visible && matches!(object.show, Show::Surface | Show::Both);
-            if let Some(mesh) = world.mesh(object.mesh()).filter(|_| surface) {
-                scene.add(self.shading, camera, light, style, object, mesh);
-            }
+        for (object, mesh) in shown(world, SURFACES) {
+            scene.add(self.shading, &Surface::new(&view, object, mesh));
         }
         let Self { coverage, hidden, .. } = self;
         let triangles = reference::draw(
@@ -100,30 +89,17 @@ struct Scene {
 }
 
 impl Scene {
-    fn add(
-        &mut self,
-        shading: Shading,
-        camera: &Camera,
-        light: &Light,
-        style: &Style,
-        object: &Object,
-        mesh: &Mesh,
-    ) {
-        let first = self.vertices.len();
-        let of_object: Range<usize> = first..first + mesh.positions().len();
-        self.vertices.resize(of_object.end, [0.0; 4]);
-        let matrix = camera.clip_from_model(&object.placement);
-        transform(&matrix, mesh.positions(), &mut self.vertices[of_object]);
-        let lighting = Lighting::new(light, style.shading, camera, &object.placement);
+    fn add(&mut self, shading: Shading, surface: &Surface<'_>) {
+        let (first, mesh) = (self.vertices.len(), surface.mesh);
+        self.vertices.resize(first + mesh.positions().len(), [0.0; 4]);
+        transform(&surface.matrix, mesh.positions(), &mut self.vertices[first..]);
         for (index, triangle) in mesh.triangles().iter().enumerate() {
-            let color = match (object.color, mesh.colors()) {
-                (Some(color), _) => color,
-                (None, Colors::None) => style.color,
-                (None, Colors::Face(colors)) => colors[index],
-                (None, Colors::Vertex(colors)) => mean(triangle.map(|vertex| colors[vertex as usize])),
+            let color = match surface.paint {
+                Paint::One(color) => color,
+                Paint::Face(colors) => colors[index],
+                Paint::Vertex(colors) => mean(triangle.map(|vertex| colors[vertex as usize])),
             };
-            let corners = triangle.map(|vertex| mesh.positions()[vertex as usize]);
-            self.colors.push(shading.shade_color(color.to_u32(), lighting.intensity(corners)));
+            self.colors.push(shading.shade_color(color.to_u32(), surface.intensity(index)));
             // More than 2³² vertices name none, and are counted as such.
             let moved = |vertex: u32| u32::try_from(first + vertex as usize).unwrap_or(u32::MAX);
             self.triangles.push(triangle.map(moved));

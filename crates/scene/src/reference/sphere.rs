@@ -12,6 +12,8 @@
 //! Both make triangles with corners of their own; a corner that is shared by several triangles has the same bits in
 //! all. [`shape::sphere`](crate::shape::sphere()) makes the same triangles over shared vertices, all wound outward.
 
+use polosa_math::reference::algebra::{cross, dot, length, normalized};
+
 use crate::shape::{self, ShapeError, Solid};
 use crate::subdivide::{MOST_TRIANGLES, to_f32};
 use crate::{Mesh, MeshError};
@@ -100,13 +102,14 @@ impl core::fmt::Display for Sphere {
 
 /// S0's and S3's inflation, from the faces PQR, PQS, RSP, RSQ.
 fn inflated(level: u32) -> Vec<Corners> {
-    let [p, q, r, s] = [[1.0, 1.0, 1.0], [-1.0, -1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, -1.0, -1.0]].map(unit);
+    let [p, q, r, s] =
+        [[1.0, 1.0, 1.0], [-1.0, -1.0, 1.0], [-1.0, 1.0, -1.0], [1.0, -1.0, -1.0]].map(normalized);
     let mut triangles = vec![[p, q, r], [p, q, s], [r, s, p], [r, s, q]];
     for _ in 0..level {
         triangles = triangles
             .into_iter()
             .flat_map(|[v1, v2, v3]| {
-                let half = |a: [f64; 3], b: [f64; 3]| unit([0, 1, 2].map(|i| (a[i] + b[i]) / 2.0));
+                let half = |a: [f64; 3], b: [f64; 3]| normalized([0, 1, 2].map(|i| (a[i] + b[i]) / 2.0));
                 let (m1, m2, m3) = (half(v1, v2), half(v2, v3), half(v1, v3));
                 [[v1, m1, m3], [v2, m1, m2], [v3, m2, m3], [m1, m2, m3]]
             })
@@ -122,7 +125,7 @@ fn mirrored(level: u32) -> Vec<Corners> {
         octant = octant
             .into_iter()
             .flat_map(|[a, b, c]| {
-                let between = |a: [f64; 3], b: [f64; 3]| unit([0, 1, 2].map(|i| a[i] + b[i]));
+                let between = |a: [f64; 3], b: [f64; 3]| normalized([0, 1, 2].map(|i| a[i] + b[i]));
                 let (ab, bc, ac) = (between(a, b), between(b, c), between(a, c));
                 [[a, ab, ac], [ab, b, bc], [ac, bc, c], [bc, ac, ab]]
             })
@@ -136,15 +139,6 @@ fn mirrored(level: u32) -> Vec<Corners> {
             octant.iter().map(move |&[a, b, c]| if odd { [a, c, b] } else { [a, b, c] }.map(mirror))
         })
         .collect()
-}
-
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    let length = dot(v, v).sqrt();
-    v.map(|x| x / length)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// A mesh whose triangles share no vertex.
@@ -168,14 +162,11 @@ pub fn radial_error(mesh: &Mesh, radius: f64) -> f64 {
 /// The distance of a triangle from the origin.
 fn distance([a, b, c]: Corners) -> f64 {
     let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
     let n = cross(minus(b, a), minus(c, a));
     // The foot of the perpendicular is inside if it is on the inner side of all three sides; from the origin, the
     // side a→b has the sign of n·(a × b).
     let inside = [(a, b), (b, c), (c, a)].iter().all(|&(p, q)| dot(n, cross(p, q)) >= 0.0);
-    let size = dot(n, n).sqrt();
+    let size = length(n);
     if inside && size > 0.0 {
         return dot(n, a).abs() / size;
     }
@@ -183,7 +174,7 @@ fn distance([a, b, c]: Corners) -> f64 {
         let d = minus(q, p);
         let along = if dot(d, d) > 0.0 { (-dot(p, d) / dot(d, d)).clamp(0.0, 1.0) } else { 0.0 };
         let nearest = [0, 1, 2].map(|i| p[i] + d[i] * along);
-        dot(nearest, nearest).sqrt()
+        length(nearest)
     };
     let sides = [to_side(a, b), to_side(b, c), to_side(c, a)];
     sides.into_iter().fold(f64::INFINITY, |least, d| if d < least || d.is_nan() { d } else { least })

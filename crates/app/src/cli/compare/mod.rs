@@ -25,7 +25,7 @@ use super::{complain, print};
 use crate::compare::{
     Background, CompareError, Comparison, Image, MAX_PIXELS, Settings, compare, difference_picture,
 };
-use crate::decode::{Decoded, reserve};
+use crate::decode::{Decoded, SMALLER, reserve};
 use crate::encode::{self, ImageFormat};
 use crate::error::Error;
 use crate::guard::caught;
@@ -219,7 +219,7 @@ fn compared(
     let pixels = a.size().map(u64::from).iter().product::<u64>();
     // Silhouettes, outlines and ways have eight bytes a pixel, the picture of what differs has four; two rows of
     // codes, and what the ways along a row need, have 44 bytes a pixel of a row.
-    reserve(8 * pixels + 44 * width + 4 * shown, args.a.name())?;
+    reserve(8 * pixels + 44 * width + 4 * shown, SMALLER, args.a.name())?;
     let settings = Settings {
         threshold: args.threshold,
         allowed_pixels: args.allow_pixels,
