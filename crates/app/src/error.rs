@@ -33,6 +33,9 @@ pub enum Error {
         /// The system's reason.
         source: io::Error,
     },
+    /// A window that cannot be opened or drawn into: what is missing, and what to do.
+    #[error("{0}")]
+    Window(String),
     /// A defect of this program or of a library, caught.
     #[error("{file}: stopped by a defect of the program ({message}): please report it with this file")]
     Panic {

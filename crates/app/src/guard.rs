@@ -4,6 +4,7 @@
 //! and the models that follow are still drawn. (With `panic = "abort"` nothing can be caught; the workspace does
 //! not set that.)
 
+use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 
@@ -22,16 +23,26 @@ pub(crate) fn caught<T>(file: &Path, work: impl FnOnce() -> Result<T, Error>) ->
     // What the closure holds is dropped when it unwinds, or is a renderer, which keeps nothing between frames
     // that it relies on.
     panic::catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
-        let message = payload
-            .downcast_ref::<&str>()
-            .copied()
-            .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
-            .unwrap_or("no message");
-        Err(Error::Panic {
-            file: one_line(&file.to_string_lossy()),
-            message: one_line(&message.chars().take(200).collect::<String>()),
-        })
+        Err(Error::Panic { file: one_line(&file.to_string_lossy()), message: message(&*payload) })
     })
+}
+
+/// What `work` returns, or the message of its panic, which is not printed.
+///
+/// While it runs, no panic of the process is: for short work, when nothing else goes on.
+#[cfg(feature = "window")]
+pub(crate) fn quietly<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let done = panic::catch_unwind(AssertUnwindSafe(work)).map_err(|payload| message(&*payload));
+    panic::set_hook(hook);
+    done
+}
+
+fn message(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message");
+    one_line(&text.chars().take(200).collect::<String>())
 }
 
 #[cfg(test)]

@@ -40,21 +40,37 @@
 
 #![forbid(unsafe_code)]
 
+pub mod application;
+pub mod canvas;
 pub mod cli;
 pub mod compare;
+pub mod controls;
 pub mod decode;
 pub mod demo;
 pub mod encode;
 pub mod error;
+pub mod event;
 mod guard;
+pub mod input;
+#[cfg(feature = "window")]
+mod log;
 pub mod output;
 pub mod pfm;
+#[cfg(feature = "window")]
+mod present;
+mod program;
+mod settings;
 pub mod view;
+#[cfg(feature = "window")]
+mod window;
 
+pub use application::{Application, Waker};
 pub use error::Error;
 pub use polosa_math as math;
 pub use polosa_raster as raster;
 pub use polosa_scene as scene;
+pub use program::Program;
+pub use settings::{Look, Navigate, Settings};
 
 /// The README's program is compiled with the tests.
 #[cfg(doctest)]

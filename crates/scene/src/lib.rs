@@ -82,7 +82,7 @@ pub use stats::DrawStats;
 pub use style::Style;
 pub use subdivide::subdivide;
 pub use timings::Timings;
-pub use world::{MeshKey, ObjectKey, World, WorldError};
+pub use world::{MeshKey, ObjectKey, Revision, World, WorldError};
 
 /// The examples of the README are tests, too.
 #[cfg(doctest)]

@@ -14,6 +14,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use polosa_math::glam::{DMat4, DQuat, DVec3};
 use polosa_math::{Bounds, Placement};
@@ -92,6 +93,22 @@ pub struct World {
     numbers: SlotMap<ObjectKey, u64>,
     objects: BTreeMap<u64, (ObjectKey, Object)>,
     next: u64,
+    revision: Revision,
+}
+
+/// What a world holds, in a number: two that are equal are of the same content, be it of two worlds. (The other way
+/// round nothing follows.)
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Revision(u64);
+
+impl Revision {
+    /// One that nothing else has. A number for the whole program, so that a world that takes another's place is seen
+    /// to be another one.
+    fn new() -> Self {
+        static LAST: AtomicU64 = AtomicU64::new(0);
+        // Only that no number comes twice matters, not which threads see it when.
+        Self(LAST.fetch_add(1, Ordering::Relaxed) + 1)
+    }
 }
 
 /// Meshes.
@@ -102,8 +119,16 @@ impl World {
         Self::default()
     }
 
+    /// What the world holds now: another one as soon as anything may have changed. Whoever keeps the revision of
+    /// what was drawn knows when there is nothing to draw anew.
+    #[must_use]
+    pub const fn revision(&self) -> Revision {
+        self.revision
+    }
+
     /// Stores a mesh. It is not seen before an object shows it.
     pub fn add_mesh(&mut self, mesh: Mesh) -> MeshKey {
+        self.revision = Revision::new();
         self.meshes.insert(StoredMesh::new(mesh))
     }
 
@@ -149,6 +174,7 @@ impl World {
     /// [`WorldError::NoMesh`].
     pub fn replace_mesh(&mut self, key: MeshKey, mesh: Mesh) -> Result<Mesh, WorldError> {
         let stored = self.meshes.get_mut(key).ok_or(WorldError::NoMesh)?;
+        self.revision = Revision::new();
         Ok(std::mem::replace(stored, StoredMesh::new(mesh)).mesh)
     }
 
@@ -162,6 +188,7 @@ impl World {
         if objects > 0 {
             return Err(WorldError::MeshInUse { objects });
         }
+        self.revision = Revision::new();
         self.meshes.remove(key).map(|stored| stored.mesh).ok_or(WorldError::NoMesh)
     }
 }
@@ -177,6 +204,7 @@ impl World {
         if !self.meshes.contains_key(object.mesh) {
             return Err(WorldError::NoMesh);
         }
+        self.revision = Revision::new();
         let number = self.next;
         self.next += 1;
         let key = self.numbers.insert(number);
@@ -187,11 +215,13 @@ impl World {
     /// Takes an object out of the world. Its mesh stays, for other objects to show.
     pub fn remove(&mut self, key: ObjectKey) -> Option<Object> {
         let number = self.numbers.remove(key)?;
+        self.revision = Revision::new();
         self.objects.remove(&number).map(|(_, object)| object)
     }
 
     /// Takes out all objects and all meshes. Handles from before name nothing.
     pub fn clear(&mut self) {
+        self.revision = Revision::new();
         self.objects.clear();
         self.numbers.clear();
         self.meshes.clear();
@@ -206,7 +236,9 @@ impl World {
     /// An object, to change.
     #[must_use]
     pub fn get_mut(&mut self, key: ObjectKey) -> Option<&mut Object> {
-        self.objects.get_mut(self.numbers.get(key)?).map(|(_, object)| object)
+        let (_, object) = self.objects.get_mut(self.numbers.get(key)?)?;
+        self.revision = Revision::new();
+        Some(object)
     }
 
     /// All objects, visible or not, in the order of drawing: as they were added.
@@ -218,6 +250,7 @@ impl World {
     pub fn objects_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ObjectKey, &mut Object)> + ExactSizeIterator {
+        self.revision = Revision::new();
         self.objects.values_mut().map(|(key, object)| (*key, object))
     }
 
