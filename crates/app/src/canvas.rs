@@ -18,7 +18,7 @@ pub use embedded_graphics;
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle, ascii};
+use embedded_graphics::mono_font::{MonoFont, MonoTextStyle, iso_8859_1};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor as _};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::text::{Baseline, Text};
@@ -66,14 +66,14 @@ impl<'a> Canvas<'a> {
     #[must_use]
     pub fn font(&self) -> &'static MonoFont<'static> {
         match self.scale {
-            scale if scale < 1.25 => &ascii::FONT_7X13,
-            scale if scale < 1.75 => &ascii::FONT_9X18,
-            _ => &ascii::FONT_10X20,
+            scale if scale < 1.25 => &iso_8859_1::FONT_7X13,
+            scale if scale < 1.75 => &iso_8859_1::FONT_9X18,
+            _ => &iso_8859_1::FONT_10X20,
         }
     }
 
-    /// Writes lines of text, the first one's upper left corner at `at`, in the font of overlays. Signs beyond ASCII
-    /// become question marks.
+    /// Writes lines of text, the first one's upper left corner at `at`, in the font of overlays. Signs beyond
+    /// Latin-1 become question marks.
     pub fn text(&mut self, at: [i32; 2], text: &str, color: Color) {
         let style = MonoTextStyle::new(self.font(), rgb(color));
         let text = Text::with_baseline(text, Point::new(at[0], at[1]), style, Baseline::Top);
