@@ -11,25 +11,26 @@
 //! There is a window only where [`Application::run`] or [`Application::update`] opens one; [`Application::run_headless`]
 //! takes the same steps without.
 
+mod camera;
 mod paint;
 mod statistics;
 mod waker;
 
 use std::time::{Duration, Instant};
 
-use polosa_math::glam::DVec3;
 use polosa_scene::{Camera, Light, Picture, Revision, Style, World};
 
 use self::paint::Painter;
 pub use self::statistics::Statistics;
 pub use self::waker::Waker;
 use crate::canvas::Canvas;
-use crate::controls::navigation::{Navigation, Stage};
+use crate::controls::fly::Fly;
+use crate::controls::navigation::Navigation;
 use crate::error::Error;
 use crate::event::{Event, Handled, Key};
 use crate::input::Input;
 use crate::program::Program;
-use crate::settings::{Navigate, Settings};
+use crate::settings::Settings;
 
 /// The longest step that [`Program::update`] is told of: after a pause, things go on instead of jumping.
 const LONGEST_STEP: Duration = Duration::from_millis(250);
@@ -63,6 +64,7 @@ pub struct Application {
     /// Everything else.
     pub settings: Settings,
     navigation: Navigation,
+    fly: Fly,
     input: Input,
     /// Events that are still to be handled, those of [`send`](Self::send).
     sent: Vec<Event>,
@@ -126,6 +128,7 @@ impl Application {
             style: Style::default(),
             settings,
             navigation: Navigation::default(),
+            fly: Fly::default(),
             input: Input::default(),
             sent: Vec::new(),
             painter: Painter::default(),
@@ -140,15 +143,6 @@ impl Application {
             #[cfg(feature = "window")]
             window: None,
         }
-    }
-
-    /// Has the camera look at all of the world from where it is seen best, and turn about its middle.
-    ///
-    /// Where that is not possible, in a world too large for numbers, the camera stays.
-    pub fn frame_world(&mut self) {
-        let bounds = self.world.bounds();
-        let _ = self.camera.frame(&bounds, DVec3::new(1.0, 0.7, 1.0), DVec3::Y, 0.05);
-        self.navigation.set_pivot(bounds.center().unwrap_or(DVec3::ZERO));
     }
 }
 
@@ -176,17 +170,6 @@ impl Application {
     #[must_use]
     pub const fn statistics(&self) -> &Statistics {
         &self.statistics
-    }
-
-    /// What the camera turns about.
-    #[must_use]
-    pub const fn pivot(&self) -> DVec3 {
-        self.navigation.pivot()
-    }
-
-    /// Has the camera turn about another point.
-    pub fn set_pivot(&mut self, pivot: DVec3) {
-        self.navigation.set_pivot(pivot);
     }
 
     /// What other threads wake the application with.
@@ -314,21 +297,14 @@ impl Application {
             }
             _ => {}
         }
-        if self.settings.navigation != Navigate::Off {
-            let mut stage = Stage {
-                world: &self.world,
-                camera: &mut self.camera,
-                light: &mut self.light,
-                size: self.size,
-                trackball: self.settings.navigation == Navigate::Trackball,
-            };
-            self.navigation.event(event, &self.input, &mut stage);
-        }
+        self.steer(event);
     }
 
-    /// Calls the update hook.
+    /// Moves the camera that flies, and calls the update hook.
     pub(crate) fn tick(&mut self, program: &mut impl Program, step: Duration) {
-        program.update(self, step.min(LONGEST_STEP));
+        let step = step.min(LONGEST_STEP);
+        self.fly_on(step);
+        program.update(self, step);
     }
 
     /// Whether what is on show is not what it should be.

@@ -46,7 +46,7 @@ pub enum Look {
     Depth,
 }
 
-/// What the mouse does: see [`controls::navigation`](crate::controls::navigation).
+/// What the mouse does, and in flight the keys: see [`controls::navigation`](crate::controls::navigation).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[non_exhaustive]
 pub enum Navigate {
@@ -57,6 +57,9 @@ pub enum Navigate {
     Orbit,
     /// The left button goes round the pivot any way; there are no poles.
     Trackball,
+    /// The keys W, A, S, D, Q and E move the camera, the left button looks around: see
+    /// [`controls::fly`](crate::controls::fly).
+    Fly,
 }
 
 impl Default for Settings {

@@ -174,13 +174,13 @@ fn half_turn(point: DVec3, focal: DVec3, axis: DVec3) -> DVec3 {
 }
 
 /// Half the diagonal, 1 for what has none.
-fn radius(bounds: &Bounds) -> f64 {
+pub(crate) fn radius(bounds: &Bounds) -> f64 {
     let radius = bounds.diagonal() / 2.0;
     if radius > 0.0 { radius } else { 1.0 }
 }
 
 /// The least and the greatest distance of a corner from the eye, along the axis.
-fn depths(camera: &Camera, bounds: &Bounds) -> (f64, f64) {
+pub(crate) fn depths(camera: &Camera, bounds: &Bounds) -> (f64, f64) {
     if bounds.is_empty() {
         return (1.0, 1.0);
     }
@@ -189,7 +189,7 @@ fn depths(camera: &Camera, bounds: &Bounds) -> (f64, f64) {
 }
 
 /// Sets the near and the far plane of a camera that stays where it is: all that is in front of it is seen.
-fn set_depth(camera: &mut Camera, bounds: &Bounds) -> Result<(), CameraError> {
+pub(crate) fn set_depth(camera: &mut Camera, bounds: &Bounds) -> Result<(), CameraError> {
     let (nearest, farthest) = depths(camera, bounds);
     let radius = radius(bounds);
     let projection = match camera.projection() {

@@ -310,7 +310,7 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
             return;
         }
         let Some(open) = self.open else { return };
-        let animated = self.program.animated();
+        let animated = self.program.animated() || self.app.is_flying();
         let due = Instant::now() >= open.next;
         // An animation goes on at its own pace, whatever happens meanwhile; else news are looked at when they come.
         if if animated { due } else { open.news } {

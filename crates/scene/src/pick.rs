@@ -17,7 +17,7 @@
 //! between them (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013). Transforming the ray and not
 //! the mesh leaves the distance along it as it is, since a parameter of a line is not changed by an affine map.
 
-use polosa_math::glam::{DMat3, DMat4, DVec3};
+use polosa_math::glam::{DMat3, DVec3};
 use polosa_math::{Bounds, Placement, normalized};
 
 use crate::{Mesh, ObjectKey, Ray, Show, World};
@@ -59,7 +59,10 @@ impl World {
                 // Squashed flat, or by numbers beyond any use: then the mesh is brought to the ray.
                 None => {
                     let matrix = shown.placement.matrix();
-                    let placed = |place: DVec3| transform(&matrix, place);
+                    let placed = |place: [f64; 3]| {
+                        let place = matrix * DVec3::from_array(place).extend(1.0);
+                        place.truncate().to_array()
+                    };
                     Line::new(ray.origin, ray.direction).and_then(|line| line.first(mesh, limit, placed))
                 }
             };
@@ -72,18 +75,14 @@ impl World {
     }
 }
 
-fn transform(matrix: &DMat4, place: DVec3) -> DVec3 {
-    (*matrix * place.extend(1.0)).truncate()
-}
-
 /// A ray in the coordinates of what it is held against.
 struct Line {
     origin: DVec3,
     direction: DVec3,
-    /// The axis along which it runs most, and the two others.
-    axes: [usize; 3],
-    /// What slides a point along the ray onto the plane across that axis: the ray's steps along the two others, and
-    /// the factor that makes the third a distance.
+    /// The axis along which it runs most.
+    along: usize,
+    /// What slides a point along the ray onto the plane across that axis: the ray's steps along the next two, and the
+    /// factor that makes a step along it a distance.
     shear: [f64; 3],
 }
 
@@ -98,11 +97,10 @@ impl Line {
         } else {
             2
         };
-        let axes = [(along + 1) % 3, (along + 2) % 3, along];
         let scale = 1.0 / direction[along];
-        let shear = [direction[axes[0]] * scale, direction[axes[1]] * scale, scale];
+        let shear = [direction[(along + 1) % 3] * scale, direction[(along + 2) % 3] * scale, scale];
         let sound = origin.is_finite() && shear.iter().all(|x| x.is_finite());
-        sound.then_some(Self { origin, direction, axes, shear })
+        sound.then_some(Self { origin, direction, along, shear })
     }
 
     /// The ray in an object's coordinates: distances along it are those in the world. `None` if there is no way back
@@ -135,12 +133,26 @@ impl Line {
     }
 
     /// The first of a mesh's triangles on it that is nearer than `limit`, and how far along it is.
-    fn first(&self, mesh: &Mesh, limit: f64, place: impl Fn(DVec3) -> DVec3) -> Option<(usize, f64)> {
+    fn first(&self, mesh: &Mesh, limit: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -> Option<(usize, f64)> {
+        // The axis is known when this is compiled; a million times looked up, it takes as long as all the rest.
+        match self.along {
+            0 => self.first_along::<0>(mesh, limit, place),
+            1 => self.first_along::<1>(mesh, limit, place),
+            _ => self.first_along::<2>(mesh, limit, place),
+        }
+    }
+
+    fn first_along<const AXIS: usize>(
+        &self,
+        mesh: &Mesh,
+        limit: f64,
+        place: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> Option<(usize, f64)> {
         let positions = mesh.positions();
         let (mut nearest, mut limit) = (None, limit);
         for (number, triangle) in mesh.triangles().iter().enumerate() {
-            let corners = triangle
-                .map(|index| self.slid(place(DVec3::from_array(positions[index as usize].map(f64::from)))));
+            let corners =
+                triangle.map(|index| self.slid::<AXIS>(place(positions[index as usize].map(f64::from))));
             if let Some(distance) = self.distance(corners)
                 && distance < limit
             {
@@ -152,9 +164,9 @@ impl Line {
 
     /// A point as the ray has it: beside it by the first two coordinates, and so far along.
     #[inline(always)]
-    fn slid(&self, place: DVec3) -> [f64; 3] {
-        let v = place - self.origin;
-        let [x, y, z] = self.axes.map(|axis| v[axis]);
+    fn slid<const AXIS: usize>(&self, place: [f64; 3]) -> [f64; 3] {
+        let origin = self.origin.to_array();
+        let [x, y, z] = [(AXIS + 1) % 3, (AXIS + 2) % 3, AXIS].map(|axis| place[axis] - origin[axis]);
         [x - self.shear[0] * z, y - self.shear[1] * z, z]
     }
 
@@ -164,7 +176,8 @@ impl Line {
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];
-        let beside = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
+        // Without a branch for each: which of them says no is hard to foretell.
+        let beside = ((u < 0.0) | (v < 0.0) | (w < 0.0)) & ((u > 0.0) | (v > 0.0) | (w > 0.0));
         if beside {
             return None;
         }
