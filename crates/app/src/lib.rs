@@ -54,6 +54,7 @@ mod guard;
 pub mod input;
 #[cfg(feature = "window")]
 mod log;
+pub mod model;
 pub mod output;
 pub mod pfm;
 #[cfg(feature = "window")]

@@ -7,68 +7,11 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use polosa_math::glam::DVec3;
-use polosa_scene::{Color, Samples, Shading, Shape};
+use polosa_scene::{Color, Samples, Shading};
 
-use crate::error::Error;
+pub(super) use crate::model::Model as ModelArg;
 use crate::output::Destination;
 use crate::view::Up;
-
-/// What is drawn or told about.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum ModelArg {
-    /// A file.
-    File(PathBuf),
-    /// Standard input.
-    Stdin,
-    /// A standard shape.
-    Shape(Shape),
-}
-
-impl ModelArg {
-    /// The parser for clap; names of files may be any bytes that the system allows.
-    pub(super) fn parser() -> impl TypedValueParser<Value = Self> {
-        OsStringValueParser::new().try_map(Self::parse)
-    }
-
-    fn parse(text: OsString) -> Result<Self, String> {
-        match text.to_str() {
-            Some("-") => Ok(Self::Stdin),
-            Some("") => Err("an empty name: name a file, `-` or a shape such as shape:teapot".to_owned()),
-            Some(name) if name.starts_with("shape:") => {
-                name["shape:".len()..].parse().map(Self::Shape).map_err(|error| error.to_string())
-            }
-            _ => Ok(Self::File(text.into())),
-        }
-    }
-
-    /// The name in messages: what was written on the command line.
-    #[must_use]
-    pub(super) fn name(&self) -> PathBuf {
-        match self {
-            Self::File(path) => path.clone(),
-            Self::Stdin => "standard input".into(),
-            Self::Shape(shape) => format!("shape:{shape}").into(),
-        }
-    }
-
-    /// Refuses models of which two are standard input.
-    pub(super) fn check_stdin(models: &[Self]) -> Result<(), Error> {
-        if models.iter().filter(|model| **model == Self::Stdin).count() > 1 {
-            return Err(Error::Usage("standard input can be read only once: name `-` once".to_owned()));
-        }
-        Ok(())
-    }
-
-    /// What `{stem}` stands for.
-    #[must_use]
-    pub(super) fn stem(&self) -> OsString {
-        match self {
-            Self::File(path) => path.file_stem().unwrap_or_default().to_owned(),
-            Self::Stdin => "stdin".into(),
-            Self::Shape(shape) => shape.to_string().replace(':', "-").into(),
-        }
-    }
-}
 
 /// Where an output goes, `{stem}` still in it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -13,11 +13,11 @@ use polosa_scene::{Colors, Mesh};
 use serde_json::{Value, json};
 
 use super::args::ModelArg;
-use super::load::Source;
 use super::words::{counted, number};
 use super::{complain, report, tell};
 use crate::error::{Error, one_line};
 use crate::guard::caught;
+use crate::model::Source;
 
 /// Tells what is in models: counts, bounds, materials, degenerate faces, open edges, watertight or not
 #[derive(Debug, Args)]

@@ -1,7 +1,7 @@
 //! The command line: one file a command.
 //!
 //! ```text
-//!   args ─▶ values ─▶ load ─▶ view ─▶ Picture::render ─▶ encode ─▶ output
+//!   args ─▶ values ─▶ model ─▶ view ─▶ Picture::render ─▶ encode ─▶ output
 //!          (args.rs)  models   camera      (scene)                  rename
 //! ```
 //!
@@ -14,7 +14,6 @@ mod bench;
 mod compare;
 mod info;
 mod job;
-mod load;
 mod methods;
 mod models;
 mod progress;

@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
-use polosa_math::glam::DVec3;
-use polosa_scene::{Camera, Mesh, Object, PictureSettings, World};
+use polosa_scene::{Camera, PictureSettings, World};
 use serde_json::{Value, json};
 
 use super::args::ModelArg;
-use super::load::Source;
 use super::progress::Progress;
 use super::tell;
 use super::view_args::ViewArgs;
 use super::words::counted;
 use crate::decode;
 use crate::error::{Error, one_line};
+pub(super) use crate::model::points;
+use crate::model::{Source, common_up};
 use crate::view::Up;
 
 /// What is told about a model after its meshes have gone into the world.
@@ -84,17 +84,10 @@ pub(super) fn load(
             progress.aside(|| source.notes.iter().for_each(|text| note(&fact.name, text)));
         }
         facts.push(fact);
-        for part in source.parts {
-            let mesh = world.add_mesh(part.mesh);
-            let mut object = Object::new(mesh).placed(part.placement).shown(view.show());
-            object.color = part.color;
-            world.add(object).map_err(|error| Error::file(model.name(), error.to_string()))?;
-        }
+        source.add_to(&mut world, view.show(), &model.name())?;
         progress.step();
     }
-    // Together only when all agree: a mixture keeps its own coordinates, with +Y upward.
-    let agreed = ups.first().copied().filter(|first| ups.iter().all(|up| up == first));
-    Ok((world, facts, view.up.or(agreed).unwrap_or(Up::PlusY)))
+    Ok((world, facts, view.up.unwrap_or_else(|| common_up(&ups))))
 }
 
 /// A line about a file that is no failure.
@@ -113,15 +106,6 @@ pub(super) fn camera(
     let aspect = f64::from(settings.width) / f64::from(settings.height);
     let camera = view.view(up).camera(points(world), &world.bounds(), aspect);
     camera.map_err(|error| Error::file(name, error.to_string()))
-}
-
-/// Every vertex of every object.
-pub(super) fn points(world: &World) -> impl Iterator<Item = DVec3> {
-    world.objects().flat_map(|(_, object)| {
-        let matrix = object.placement.matrix();
-        let positions = world.mesh(object.mesh()).map(Mesh::positions).unwrap_or_default();
-        positions.iter().map(move |position| matrix.transform_point3(position.map(f64::from).into()))
-    })
 }
 
 /// Asks whether there is memory for a picture of so many bytes a pixel, since running out of it on the way would end
