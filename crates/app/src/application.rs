@@ -308,6 +308,7 @@ impl Application {
     }
 
     /// Whether what is on show is not what it should be.
+    #[cfg(feature = "window")]
     pub(crate) fn needs_frame(&self) -> bool {
         self.asked || self.settings.continuous || self.drawn.as_ref().is_none_or(|drawn| *drawn != self.now())
     }
@@ -322,6 +323,7 @@ impl Application {
         self.asked = false;
         self.follow_size();
         let stats = self.paint(pixels)?;
+        self.statistics.frame(start, stats);
         let mut canvas = Canvas::new(pixels, self.size, self.scale);
         program.overlay(self, &mut canvas);
         if self.settings.show_rate {
@@ -329,7 +331,6 @@ impl Application {
             canvas.text([canvas.pixels_of(6.0); 2], &text, polosa_scene::Color::WHITE);
         }
         self.drawn = Some(self.now());
-        self.statistics.frame(start, stats);
         Ok(stats)
     }
 
@@ -361,7 +362,7 @@ impl Application {
     /// Makes ready to be run again.
     #[cfg(feature = "window")]
     pub(crate) fn end(&mut self) {
-        self.quit = false;
+        (self.quit, self.started) = (false, false);
         self.drawn = None;
     }
 

@@ -23,6 +23,9 @@ use crate::output::Destination;
 /// Where the picture goes, in the current folder.
 pub const FILE: &str = "polosa.png";
 
+/// The colour behind it.
+pub(crate) const BACKGROUND: Color = Color::new(0x16, 0x1b, 0x22);
+
 /// Draws the scene and writes it to `path` as PNG; the absolute path.
 ///
 /// # Errors
@@ -47,12 +50,12 @@ pub fn picture(width: u32, height: u32, samples: Samples) -> Result<Picture, Err
     let failed = |what: String| Error::file(FILE, what);
     let world = world().map_err(|error| failed(error.to_string()))?;
     let camera = camera(width, height).map_err(|error| failed(error.to_string()))?;
-    let light = Light { direction: DVec3::new(-0.6, 1.0, 0.75), space: LightSpace::World, ambient: 0.16 };
+    let light = light();
     let style = Style { edge_color: Color::new(0x10, 0x18, 0x20), ..Style::default() };
     let settings = PictureSettings {
         width,
         height,
-        background: Some(Color::new(0x16, 0x1b, 0x22)),
+        background: Some(BACKGROUND),
         samples,
         ..PictureSettings::default()
     };
@@ -60,7 +63,13 @@ pub fn picture(width: u32, height: u32, samples: Samples) -> Result<Picture, Err
         .map_err(|error| failed(error.to_string()))
 }
 
-fn camera(width: u32, height: u32) -> Result<Camera, polosa_scene::CameraError> {
+/// The light on it.
+pub(crate) fn light() -> Light {
+    Light { direction: DVec3::new(-0.6, 1.0, 0.75), space: LightSpace::World, ambient: 0.16 }
+}
+
+/// How it is looked at.
+pub(crate) fn camera(width: u32, height: u32) -> Result<Camera, polosa_scene::CameraError> {
     let mut camera = Camera::new();
     camera.set_projection(Projection::Perspective {
         fov: FieldOfView::Vertical(29_f64.to_radians()),

@@ -62,6 +62,7 @@ mod present;
 mod program;
 mod settings;
 pub mod view;
+pub mod viewer;
 #[cfg(feature = "window")]
 mod window;
 

@@ -57,6 +57,12 @@ impl Model {
         }
     }
 
+    /// The file, if it is one.
+    #[must_use]
+    pub fn file(&self) -> Option<&Path> {
+        if let Self::File(path) = self { Some(path) } else { None }
+    }
+
     /// Refuses models of which two are standard input.
     pub(crate) fn check_stdin(models: &[Self]) -> Result<(), Error> {
         if models.iter().filter(|model| **model == Self::Stdin).count() > 1 {

@@ -62,7 +62,8 @@ impl Up {
     }
 }
 
-/// How the world is seen; angles in degrees.
+/// How the world is seen; angles in degrees. By default as far from it as it takes, in a perspective of 30°, from the
+/// upper right front.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Where the camera stands; `None`: as far away as the model needs.
@@ -92,6 +93,21 @@ pub enum Lens {
     Parallel,
     /// Parallel, with so many world units from the lower to the upper edge.
     ParallelTo(f64),
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            position: None,
+            focal_point: None,
+            direction: None,
+            view_up: None,
+            up: Up::PlusY,
+            azimuth: 0.0,
+            elevation: 0.0,
+            lens: Lens::Perspective(30.0),
+        }
+    }
 }
 
 impl View {

@@ -59,15 +59,17 @@ struct Open {
     unanswered: Option<Instant>,
     /// Whether there are events, or somebody woke us, since the last update.
     news: bool,
+    /// Whether winit was asked to have us draw.
+    asked: bool,
 }
 
 impl Window {
     fn connect() -> Result<Self, Error> {
         let failed = |what: &str| {
-            Error::Window(format!(
-                "no window can be opened: {}: start it on a desktop, or render to a file",
-                one_line(what.trim_end_matches('.'))
-            ))
+            // winit names the line of its source before the reason.
+            let reason = what.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
+            let reason = reason.map_or(what, |(_, reason)| reason).trim_end_matches('.');
+            Error::Window(format!("no window can be opened: {}", one_line(reason)))
         };
         // Where a library of the windowing system is missing, winit panics.
         guard::quietly(|| EventLoop::with_user_event().build())
@@ -222,6 +224,7 @@ impl<P: Program> Shell<'_, P> {
     /// Draws and shows a frame.
     fn frame(&mut self) {
         let Some(open) = self.open else { return };
+        open.asked = false;
         let size = open.window.inner_size();
         if size.width == 0 || size.height == 0 {
             return;
@@ -261,6 +264,7 @@ impl<P: Program> Shell<'_, P> {
             next: now,
             unanswered: None,
             news: true,
+            asked: false,
         });
         self.app.feed(self.program, &Event::Resize { size, scale }, Duration::ZERO);
         self.app.begin(self.program);
@@ -306,6 +310,8 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        // A window that was lost is opened anew when the program asks for the next frame.
+        self.resumed(event_loop);
         if self.own_loop || self.failed.is_some() {
             return;
         }
@@ -313,19 +319,25 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
         let animated = self.program.animated() || self.app.is_flying();
         let due = Instant::now() >= open.next;
         // An animation goes on at its own pace, whatever happens meanwhile; else news are looked at when they come.
-        if if animated { due } else { open.news } {
+        let updates = if animated { due && !open.asked } else { open.news };
+        if updates {
             self.tick();
         }
         self.leave(event_loop);
-        let Some(open) = self.open else { return };
         let wanted = self.app.needs_frame();
-        if wanted && due {
+        let Some(open) = self.open else { return };
+        if updates && !wanted {
+            // What happened changed nothing: no frame will answer it.
+            open.unanswered = None;
+        }
+        if wanted && due && !open.asked {
+            open.asked = true;
             open.window.request_redraw();
-        } else if animated && due {
+        } else if updates && animated {
             self.schedule();
         }
         let Some(open) = self.open else { return };
-        let wakes = animated || wanted && !due;
+        let wakes = (animated || wanted) && !open.asked;
         event_loop.set_control_flow(if wakes {
             ControlFlow::WaitUntil(open.next)
         } else {

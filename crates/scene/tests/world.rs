@@ -117,6 +117,44 @@ fn an_object_turns_about_its_own_centre_though_its_origin_is_elsewhere() {
 }
 
 #[test]
+fn another_revision_tells_of_every_change_and_of_nothing_else() {
+    let (mut world, key) = with_cube();
+    let mesh = world.get(key).unwrap().mesh();
+    let other = world.add_mesh(shape::cube());
+    let mut last = world.revision();
+    let copy = world.clone();
+    assert_eq!(copy.revision(), last, "the same content");
+    let mut changed = |world: &World, what: &str| {
+        assert_ne!(world.revision(), last, "{what}");
+        last = world.revision();
+    };
+    world.move_by(key, DVec3::X).unwrap();
+    changed(&world, "moved");
+    world.recolor(key, Some(Color::WHITE)).unwrap();
+    changed(&world, "recoloured");
+    world.get_mut(key).unwrap().visible = false;
+    changed(&world, "hidden");
+    world.objects_mut().for_each(|(_, object)| object.visible = true);
+    changed(&world, "shown");
+    world.set_mesh(key, other).unwrap();
+    changed(&world, "another mesh");
+    world.replace_mesh(other, shape::tetrahedron()).unwrap();
+    changed(&world, "a replaced mesh");
+    world.remove_mesh(mesh).unwrap();
+    changed(&world, "a mesh less");
+    let second = world.add(Object::new(other)).unwrap();
+    changed(&world, "an object more");
+    world.remove(second).unwrap();
+    changed(&world, "an object less");
+    let now = world.revision();
+    let _ = (world.bounds(), world.objects().count());
+    assert!(world.remove(second).is_none() && world.move_by(second, DVec3::X).is_err());
+    assert_eq!(world.revision(), now, "looking, and what is refused, changes nothing");
+    world.clear();
+    assert!(![now, copy.revision()].contains(&world.revision()));
+}
+
+#[test]
 fn a_million_turns_do_not_drift() {
     let mut world = World::new();
     let mesh = world.add_mesh(shape::teapot(2).unwrap());

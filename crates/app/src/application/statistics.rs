@@ -35,7 +35,7 @@ impl Statistics {
         &self.last
     }
 
-    /// How long the last frame took to draw, overlay included; 0 before the first.
+    /// How long the last frame took to draw, without what is drawn over it; 0 before the first.
     #[must_use]
     pub fn time(&self) -> Duration {
         self.drawing.back().copied().unwrap_or_default()

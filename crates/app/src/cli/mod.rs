@@ -21,6 +21,8 @@ mod render;
 mod render_args;
 mod report;
 mod unseen;
+#[cfg(feature = "window")]
+mod view;
 mod view_args;
 mod words;
 
@@ -36,7 +38,8 @@ use crate::guard;
 
 /// 3D pictures without a GPU: exact, and the same bytes on every machine.
 ///
-/// Without a command: draws a built-in scene to polosa.png in the current folder.
+/// Without a command: shows models in a window, or a built-in scene; where no window can be opened, that scene goes to
+/// polosa.png in the current folder.
 #[derive(Debug, Parser)]
 #[command(name = "polosa", version, after_help = EXAMPLES)]
 struct Cli {
@@ -46,7 +49,8 @@ struct Cli {
 
 const EXAMPLES: &str = "\
 Examples:
-  polosa                                    a built-in scene, to ./polosa.png
+  polosa                                    a built-in scene in a window
+  polosa bunny.obj                          a model in a window; H shows the keys
   polosa render bunny.obj -o bunny.png      a model's picture
   polosa render shape:teapot -o teapot.png  a standard shape
   polosa info bunny.obj                     counts, bounds, materials, holes
@@ -56,6 +60,8 @@ Examples:
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    #[cfg(feature = "window")]
+    View(Box<view::WindowArgs>),
     Render(Box<render_args::RenderArgs>),
     Info(info::InfoArgs),
     Bench(Box<bench::BenchArgs>),
@@ -64,7 +70,7 @@ enum Command {
 
 /// Does what the arguments, the program's name first, ask for; the program's exit status.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(args) {
+    let cli = match Cli::try_parse_from(with_command(args.into_iter().collect())) {
         Ok(cli) => cli,
         Err(error) => {
             // Nobody may be listening any more; there is no one else to tell.
@@ -74,10 +80,15 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     guard::silence_panics();
     let done = match cli.command {
+        #[cfg(feature = "window")]
+        Some(Command::View(args)) => view::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Info(args)) => info::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),
+        #[cfg(feature = "window")]
+        None => guard::caught(Path::new(crate::demo::FILE), view::demo),
+        #[cfg(not(feature = "window"))]
         None => guard::caught(Path::new(crate::demo::FILE), demo),
     };
     match done {
@@ -89,7 +100,23 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
+/// Arguments that begin with a model are those of `view`. A word that is neither a file nor looks like one is left to
+/// clap, which knows what command it may have been meant for.
+fn with_command(mut args: Vec<OsString>) -> Vec<OsString> {
+    let is_model = args.get(1).and_then(|first| first.to_str()).map_or(args.len() > 1, |first| {
+        let is_command = <Cli as clap::CommandFactory>::command().find_subcommand(first).is_some();
+        let looks_like_one =
+            first == "-" || first.contains(['.', ':', '/', '\\']) || Path::new(first).exists();
+        !is_command && first != "help" && (first == "-" || !first.starts_with('-')) && looks_like_one
+    });
+    if is_model && cfg!(feature = "window") {
+        args.insert(1, "view".into());
+    }
+    args
+}
+
 /// The command of no arguments.
+#[cfg(not(feature = "window"))]
 fn demo() -> Result<ExitCode, Error> {
     let path = crate::demo::write(Path::new(crate::demo::FILE))?;
     tell(&format!("{}\n", path.display()), false);

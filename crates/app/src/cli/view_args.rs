@@ -204,6 +204,19 @@ impl ViewArgs {
         }
     }
 
+    /// The same for models that are still to be read: where from, and which axis is upward whatever they say.
+    #[cfg(feature = "window")]
+    pub(super) fn view_and_up(&self) -> (View, Option<Up>) {
+        let view = self.view(self.up.unwrap_or(Up::PlusY));
+        (view, if self.camera_height.is_some() { Some(view.up) } else { self.up })
+    }
+
+    /// Whether nobody asked for another background.
+    #[cfg(feature = "window")]
+    pub(super) fn has_default_background(&self) -> bool {
+        self.background == Background::Color(Color::new(0x2b, 0x2b, 0x2b))
+    }
+
     /// The light.
     pub(super) fn light(&self) -> Light {
         Light {

@@ -218,7 +218,7 @@ proptest! {
                 3 => _ = rig.press(Button::Middle, at),
                 4 => rig.wheel(x, [10.0, y % 300.0]),
                 5 => _ = rig.release(Button::Left, at),
-                _ => _ = rig.with(|navigation, _, stage| {
+                _ => rig.with(|navigation, _, stage| {
                     navigation.set_pivot(DVec3::new(x, y, x));
                     navigation.orbit_by(stage, x, y);
                     navigation.turn_to(stage, x, y);

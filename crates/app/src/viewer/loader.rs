@@ -1,0 +1,116 @@
+//! Models are read beside the window, which goes on showing what it has.
+
+use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Instant;
+
+use polosa_scene::{Camera, Light, Show, World};
+
+use crate::application::Waker;
+use crate::demo;
+use crate::error::{Error, one_line};
+use crate::model::{Model, Source, common_up};
+use crate::view::Up;
+
+/// What was read.
+#[derive(Debug)]
+pub(super) struct Loaded {
+    pub(super) world: World,
+    /// The axis that the models have upward.
+    pub(super) up: Up,
+    /// What the user should know, one line each.
+    pub(super) notes: Vec<String>,
+    /// How the built-in scene is looked at.
+    pub(super) look: Option<(Camera, Light)>,
+}
+
+/// Reads models, one load at a time.
+#[derive(Debug, Default)]
+pub(super) struct Loader {
+    running: Option<Running>,
+}
+
+#[derive(Debug)]
+struct Running {
+    result: Receiver<Result<Loaded, Error>>,
+    stage: Arc<Mutex<String>>,
+    since: Instant,
+}
+
+impl Loader {
+    /// Begins to read; without a model, makes the built-in scene. What is being read already is forgotten.
+    pub(super) fn start(&mut self, models: Vec<Model>, show: Show, waker: Waker) {
+        let (sender, result) = mpsc::channel();
+        let stage = Arc::new(Mutex::new(String::new()));
+        let told = Arc::clone(&stage);
+        let now = move |what: String| *told.lock().unwrap_or_else(PoisonError::into_inner) = what;
+        let work = move || {
+            // Nobody waits for it any more where another load was begun.
+            let _ = sender.send(load(&models, show, &now));
+            waker.wake();
+        };
+        if let Err(error) = thread::Builder::new().name("load".to_owned()).spawn(work) {
+            let (sender, failed) = mpsc::channel();
+            let _ = sender.send(Err(Error::Window(format!("no thread can be started to read it: {error}"))));
+            self.running = Some(Running { result: failed, stage, since: Instant::now() });
+            return;
+        }
+        self.running = Some(Running { result, stage, since: Instant::now() });
+    }
+
+    /// What was read, once it is.
+    pub(super) fn poll(&mut self) -> Option<Result<Loaded, Error>> {
+        match self.running.as_ref()?.result.try_recv() {
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => {
+                self.running = None;
+                Some(Err(Error::Window("the reading was broken off by a defect of the program".to_owned())))
+            }
+            Ok(result) => {
+                self.running = None;
+                Some(result)
+            }
+        }
+    }
+
+    /// Waits until it is read.
+    pub(super) fn wait(&mut self) -> Option<Result<Loaded, Error>> {
+        let running = self.running.take()?;
+        running.result.recv().ok()
+    }
+
+    pub(super) const fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// What is being done, and for how many seconds the load goes on.
+    pub(super) fn stage(&self) -> Option<(String, f64)> {
+        let running = self.running.as_ref()?;
+        let stage = running.stage.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        Some((stage, running.since.elapsed().as_secs_f64()))
+    }
+}
+
+fn load(models: &[Model], show: Show, now: &impl Fn(String)) -> Result<Loaded, Error> {
+    if models.is_empty() {
+        let failed = |what: String| Error::file(demo::FILE, what);
+        let world = demo::world().map_err(|error| failed(error.to_string()))?;
+        let camera = demo::camera(16, 9).map_err(|error| failed(error.to_string()))?;
+        return Ok(Loaded { world, up: Up::PlusY, notes: Vec::new(), look: Some((camera, demo::light())) });
+    }
+    let mut world = World::new();
+    let (mut ups, mut notes) = (Vec::new(), Vec::new());
+    for (number, model) in models.iter().enumerate() {
+        let name = one_line(&model.name().to_string_lossy());
+        let of =
+            if models.len() > 1 { format!(" ({} of {})", number + 1, models.len()) } else { String::new() };
+        now(format!("reading {name}{of}"));
+        let source = Source::open(model)?;
+        ups.push(source.up());
+        notes.extend(source.notes.iter().map(|note| one_line(&format!("{name}: {note}"))));
+        now(format!("preparing {name}{of}"));
+        source.add_to(&mut world, show, &model.name())?;
+    }
+    Ok(Loaded { world, up: common_up(&ups), notes, look: None })
+}
