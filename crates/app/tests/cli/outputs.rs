@@ -205,9 +205,11 @@ fn a_failure_keeps_the_picture_that_was_there() {
 }
 
 #[test]
-fn without_a_command_a_scene_is_drawn_and_its_place_is_told() {
+fn without_a_command_and_a_display_a_scene_is_drawn_and_its_place_is_told() {
     let folder = Folder::new();
-    let said = folder.done("");
+    let said = folder.run("");
+    assert_eq!((said.status, said.stderr.lines().count()), (Some(0), 1), "{}", said.stderr);
+    assert!(said.stderr.contains("DISPLAY"), "it names what is missing: {}", said.stderr);
     let place = said.text();
     assert_eq!(fs::canonicalize(place.trim()).unwrap(), fs::canonicalize(folder.path("polosa.png")).unwrap());
     let picture = folder.picture("polosa.png");
@@ -215,4 +217,37 @@ fn without_a_command_a_scene_is_drawn_and_its_place_is_told() {
     colors.sort_unstable();
     colors.dedup();
     assert!(colors.len() > 500, "several shapes in several colours, shaded");
+}
+
+#[test]
+fn without_a_display_a_model_is_drawn_as_its_window_would_begin() {
+    let folder = Folder::new();
+    for arguments in ["view shape:cone", "view shape:cone --edges --camera-azimuth-angle 30 -o seen.bmp"] {
+        let said = folder.run(arguments);
+        assert_eq!((said.status, said.stderr.lines().count()), (Some(0), 1), "{}", said.stderr);
+        let place = said.text();
+        let same = arguments.replace("view", "render");
+        let name = if same.contains("-o") { "seen.bmp" } else { "polosa.png" };
+        assert_eq!(fs::canonicalize(place.trim()).unwrap(), fs::canonicalize(folder.path(name)).unwrap());
+        let seen = folder.picture(name);
+        let same = if same.contains("-o") { same } else { format!("{same} -o polosa.png") };
+        folder.done(&same);
+        assert!(seen == folder.picture(name), "{arguments}");
+    }
+}
+
+#[test]
+fn a_model_alone_is_viewed_and_a_word_that_is_no_file_is_held_against_the_commands() {
+    let folder = Folder::new().with("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.run("a.obj --wire -o wire.png").status.filter(|status| *status == 0).expect("it is drawn");
+    let wire = folder.picture("wire.png");
+    folder.done("render a.obj --wire -o wire.png");
+    assert!(wire == folder.picture("wire.png"));
+    let said = folder.run("rendr a.obj");
+    assert!(said.status == Some(2) && said.stderr.contains("render"), "{}", said.stderr);
+    let said = folder.run("none.obj");
+    assert_eq!((said.status, said.stderr.lines().count()), (Some(1), 1), "{}", said.stderr);
+    assert!(said.stderr.starts_with("polosa: none.obj: "), "{}", said.stderr);
+    let said = folder.run("view a.obj --background none");
+    assert!(said.status == Some(2) && said.stderr.contains("name a colour"), "{}", said.stderr);
 }
