@@ -77,7 +77,7 @@ impl World {
 
 /// A ray in the coordinates of what it is held against.
 struct Line {
-    origin: DVec3,
+    origin: [f64; 3],
     direction: DVec3,
     /// The axis along which it runs most.
     along: usize,
@@ -100,7 +100,7 @@ impl Line {
         let scale = 1.0 / direction[along];
         let shear = [direction[(along + 1) % 3] * scale, direction[(along + 2) % 3] * scale, scale];
         let sound = origin.is_finite() && shear.iter().all(|x| x.is_finite());
-        sound.then_some(Self { origin, direction, along, shear })
+        sound.then_some(Self { origin: origin.to_array(), direction, along, shear })
     }
 
     /// The ray in an object's coordinates: distances along it are those in the world. `None` if there is no way back
@@ -150,10 +150,11 @@ impl Line {
     ) -> Option<(usize, f64)> {
         let positions = mesh.positions();
         let (mut nearest, mut limit) = (None, limit);
-        for (number, triangle) in mesh.triangles().iter().enumerate() {
-            let corners =
-                triangle.map(|index| self.slid::<AXIS>(place(positions[index as usize].map(f64::from))));
-            if let Some(distance) = self.distance(corners)
+        for (number, &[a, b, c]) in mesh.triangles().iter().enumerate() {
+            let a = self.slid::<AXIS>(place(positions[a as usize].map(f64::from)));
+            let b = self.slid::<AXIS>(place(positions[b as usize].map(f64::from)));
+            let c = self.slid::<AXIS>(place(positions[c as usize].map(f64::from)));
+            if let Some(distance) = self.distance([a, b, c])
                 && distance < limit
             {
                 (nearest, limit) = (Some((number, distance)), distance);
@@ -165,14 +166,22 @@ impl Line {
     /// A point as the ray has it: beside it by the first two coordinates, and so far along.
     #[inline(always)]
     fn slid<const AXIS: usize>(&self, place: [f64; 3]) -> [f64; 3] {
-        let origin = self.origin.to_array();
-        let [x, y, z] = [(AXIS + 1) % 3, (AXIS + 2) % 3, AXIS].map(|axis| place[axis] - origin[axis]);
+        let [k, l] = [(AXIS + 1) % 3, (AXIS + 2) % 3];
+        let (x, y, z) =
+            (place[k] - self.origin[k], place[l] - self.origin[l], place[AXIS] - self.origin[AXIS]);
         [x - self.shear[0] * z, y - self.shear[1] * z, z]
     }
 
     /// How far along a triangle is met, if it is, and in front of the origin.
     #[inline(always)]
     fn distance(&self, [a, b, c]: [[f64; 3]; 3]) -> Option<f64> {
+        // Most triangles lie wholly to one side, above or below, which is seen without a product.
+        let apart = |k: usize| {
+            (a[k] > 0.0) & (b[k] > 0.0) & (c[k] > 0.0) | (a[k] < 0.0) & (b[k] < 0.0) & (c[k] < 0.0)
+        };
+        if apart(0) | apart(1) {
+            return None;
+        }
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];

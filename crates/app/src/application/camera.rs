@@ -137,3 +137,99 @@ impl Application {
         self.settings.navigation == Navigate::Fly && self.fly.is_moving(&self.input)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use polosa_math::glam::DVec3;
+    use polosa_scene::{Object, shape};
+
+    use crate::event::{Button, Event, Handled, Key};
+    use crate::settings::{Navigate, Settings};
+    use crate::{Application, Program};
+
+    fn with_cube(navigation: Navigate) -> Application {
+        let mut app = Application::with(Settings { size: [160, 120], navigation, ..Settings::default() });
+        let cube = app.world.add_mesh(shape::cube());
+        app.world.add(Object::new(cube)).unwrap();
+        app.frame_world();
+        app
+    }
+
+    fn drag(app: &mut Application, button: Button) {
+        app.send(Event::Button { button, pressed: true, at: [80.0, 60.0] });
+        app.send(Event::Motion { at: [110.0, 70.0] });
+        app.send(Event::Button { button, pressed: false, at: [110.0, 70.0] });
+    }
+
+    fn run(app: &mut Application, frames: u64) {
+        app.run_headless(frames, &mut (), |_, _| Ok(())).unwrap();
+    }
+
+    #[test]
+    fn the_mouse_moves_the_camera_unless_that_is_switched_off() {
+        for (mode, moves) in [
+            (Navigate::Off, false),
+            (Navigate::Orbit, true),
+            (Navigate::Trackball, true),
+            (Navigate::Fly, true),
+        ] {
+            let mut app = with_cube(mode);
+            let before = app.camera;
+            drag(&mut app, Button::Left);
+            run(&mut app, 1);
+            assert_eq!(app.camera != before, moves, "{mode:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_program_handles_the_camera_does_not_hear_of() {
+        struct Keeps;
+        impl Program for Keeps {
+            fn event(&mut self, _: &mut Application, event: &Event) -> Handled {
+                if matches!(event, Event::Button { .. }) { Handled::Yes } else { Handled::No }
+            }
+        }
+        let mut app = with_cube(Navigate::Orbit);
+        let before = app.camera;
+        drag(&mut app, Button::Left);
+        app.run_headless(1, &mut Keeps, |_, _| Ok(())).unwrap();
+        assert_eq!(app.camera, before);
+    }
+
+    #[test]
+    #[cfg(feature = "window")]
+    fn in_flight_held_keys_move_the_camera_with_time() {
+        let mut app = with_cube(Navigate::Fly);
+        let before = app.camera.position();
+        app.send(Event::Key { key: Key::Char('w'), pressed: true, repeat: false });
+        run(&mut app, 61);
+        let path = app.camera.position() - before;
+        let expected = app.camera.direction() * 0.25 * 12_f64.sqrt();
+        assert!((path - expected * 61.0 / 60.0).length() < 1e-4, "{path}");
+        assert!(app.is_flying());
+        app.settings.navigation = Navigate::Orbit;
+        let before = app.camera.position();
+        run(&mut app, 3);
+        assert_eq!(app.camera.position(), before);
+    }
+
+    #[test]
+    fn another_axis_upward_is_framed_and_turned_to() {
+        let mut app = with_cube(Navigate::Orbit);
+        let [heading, pitch] = app.heading_pitch();
+        app.set_up(DVec3::Z);
+        app.frame_world();
+        assert!(app.camera.up().z > 0.8 && app.camera.right().z.abs() < 1e-12);
+        let [h, p] = app.heading_pitch();
+        assert!((h - heading).abs() < 1e-12 && (p - pitch).abs() < 1e-12);
+        app.turn_to(0.0, 0.0);
+        assert!((app.camera.direction() - DVec3::Y).length() < 1e-12, "the front of a model with +Z upward");
+        assert!(app.pick([80.0, 60.0]).is_some_and(|hit| (hit.point.y + 1.0).abs() < 1e-9));
+        assert!(app.pick([0.5, 0.5]).is_none());
+        let before = app.camera.position();
+        app.dolly(1.0);
+        app.zoom([80.0, 60.0], -1.0);
+        app.orbit_by(0.1, 0.1);
+        assert!((app.camera.position() - before).length() > 0.1);
+    }
+}
