@@ -60,6 +60,7 @@ pub mod pfm;
 #[cfg(feature = "window")]
 mod present;
 mod program;
+pub mod record;
 mod settings;
 pub mod view;
 pub mod viewer;

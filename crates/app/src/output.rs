@@ -200,6 +200,11 @@ fn open(path: &Path) -> io::Result<Sink> {
     Ok(Sink::Temporary(file, target))
 }
 
+/// Whether something is there that is neither file nor folder, such as `/dev/null` or a pipe.
+pub(crate) fn is_special(path: &Path) -> bool {
+    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
 /// What a name stands for in the end: links are followed, also one that leads to nothing yet, so that what it points
 /// to is made or replaced and never the link itself.
 ///

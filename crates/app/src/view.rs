@@ -12,9 +12,13 @@
 //! −Z at the world's origin. With a height of 256 in a picture of 256 pixels a world unit is a pixel, and the
 //! world's (0, 0) is the picture's middle.
 
-use polosa_math::Bounds;
+mod turntable;
+
 use polosa_math::glam::DVec3;
+use polosa_math::{Bounds, unit};
 use polosa_scene::{Camera, CameraError, FieldOfView, Projection};
+
+pub use self::turntable::Turntable;
 
 /// From the model's middle to the observer, with +Y upward.
 const TO_EYE: DVec3 = DVec3::new(1.0, 0.7, 1.0);
@@ -122,8 +126,32 @@ impl View {
         bounds: &Bounds,
         aspect: f64,
     ) -> Result<Camera, CameraError> {
-        let to_scale = matches!(self.lens, Lens::ParallelTo(_));
-        let middle = if to_scale { DVec3::ZERO } else { bounds.center().unwrap_or(DVec3::ZERO) };
+        self.camera_to(self.focal(bounds), points, bounds, aspect)
+    }
+
+    /// What the camera looks at, and turns about.
+    fn focal(&self, bounds: &Bounds) -> DVec3 {
+        let middle = if self.is_to_scale() { DVec3::ZERO } else { bounds.center().unwrap_or(DVec3::ZERO) };
+        match (self.position, self.focal_point, self.direction.and_then(unit)) {
+            // The point of the line of sight that is nearest to the middle.
+            (Some(position), None, Some(looking)) => position + looking * (middle - position).dot(looking).max(0.0),
+            (_, focal, _) => focal.unwrap_or(middle),
+        }
+    }
+
+    const fn is_to_scale(&self) -> bool {
+        matches!(self.lens, Lens::ParallelTo(_))
+    }
+
+    /// The camera that turns about `focal`.
+    fn camera_to(
+        &self,
+        focal: DVec3,
+        points: impl Iterator<Item = DVec3>,
+        bounds: &Bounds,
+        aspect: f64,
+    ) -> Result<Camera, CameraError> {
+        let to_scale = self.is_to_scale();
         let away = self.up.turned(if to_scale { DVec3::Z } else { TO_EYE });
 
         let mut camera = Camera::new();
@@ -139,14 +167,6 @@ impl View {
         camera.set_aspect(aspect)?;
         camera.set_view_up(self.view_up.unwrap_or(self.up.axis()))?;
 
-        let focal = match (self.position, self.focal_point, self.direction) {
-            (Some(position), None, Some(direction)) => {
-                camera.set_direction(direction)?;
-                // The point of the line of sight that is nearest to the middle.
-                position + camera.direction() * (middle - position).dot(camera.direction()).max(0.0)
-            }
-            (_, focal, _) => focal.unwrap_or(middle),
-        };
         match (self.position, self.direction) {
             (Some(position), direction) => {
                 camera.set_position(position)?;

@@ -8,6 +8,7 @@ use super::args::{ModelArg, OutputArg, STEM};
 use super::render_args::RenderArgs;
 use crate::encode::ImageFormat;
 use crate::error::Error;
+pub(super) use crate::output::is_special;
 use crate::output::{Destination, followed};
 
 /// One picture to make.
@@ -146,11 +147,6 @@ pub(super) fn format(option: &str, output: &OutputArg) -> Result<ImageFormat, Er
         Err(error) => usage(format!("{option} {}: {error}", shown(output))),
         Ok(format) => Ok(format),
     }
-}
-
-/// Whether something is there that is neither file nor folder, such as `/dev/null` or a pipe.
-pub(super) fn is_special(path: &Path) -> bool {
-    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 /// Whether any number of pictures can be written there.
