@@ -13,6 +13,7 @@
 
 mod camera;
 mod paint;
+mod recording;
 mod statistics;
 mod waker;
 
@@ -21,6 +22,7 @@ use std::time::{Duration, Instant};
 use polosa_scene::{Camera, Light, Picture, Revision, Style, World};
 
 use self::paint::Painter;
+use self::recording::Recording;
 pub use self::statistics::Statistics;
 pub use self::waker::Waker;
 use crate::canvas::Canvas;
@@ -78,6 +80,9 @@ pub struct Application {
     quit: bool,
     statistics: Statistics,
     waker: Waker,
+    recording: Option<Recording>,
+    /// Why a recording ended by itself.
+    record_failed: Option<Error>,
     #[cfg(feature = "window")]
     pub(crate) window: Option<crate::window::Window>,
 }
@@ -140,6 +145,8 @@ impl Application {
             quit: false,
             statistics: Statistics::default(),
             waker: Waker::default(),
+            recording: None,
+            record_failed: None,
             #[cfg(feature = "window")]
             window: None,
         }
@@ -222,7 +229,7 @@ impl Application {
     ///
     /// # Errors
     ///
-    /// What `take` returns.
+    /// What `take` returns; and, while frames are [recorded](Self::record), when that fails.
     pub fn run_headless(
         &mut self,
         frames: u64,
@@ -241,7 +248,9 @@ impl Application {
             let [width, height] = self.size;
             let mut pixels = vec![0; width as usize * height as usize];
             let stats = self.draw(program, &mut pixels)?;
-            take(frame, &Picture { width, height, pixels, alpha: None, distances: None, ids: None, stats })?;
+            let picture = Picture { width, height, pixels, alpha: None, distances: None, ids: None, stats };
+            self.record_step(&picture)?;
+            take(frame, &picture)?;
         }
         Ok(())
     }

@@ -60,7 +60,7 @@ const MOST_THREADS: usize = 16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Frames a second, from [`LEAST_FPS`] on. A GIF has 50 at most ([`MOST_FPS`]): of frames that come sooner some are left out,
-    /// so that the time is right. In a sequence each has its file.
+    /// so that the time is right, to 1/50 s at the end. In a sequence each has its file.
     pub fps: f64,
     /// Threads that encode; `None`: as many as the machine runs at once. 16 at most.
     pub threads: Option<NonZeroUsize>,

@@ -134,7 +134,9 @@ impl View {
         let middle = if self.is_to_scale() { DVec3::ZERO } else { bounds.center().unwrap_or(DVec3::ZERO) };
         match (self.position, self.focal_point, self.direction.and_then(unit)) {
             // The point of the line of sight that is nearest to the middle.
-            (Some(position), None, Some(looking)) => position + looking * (middle - position).dot(looking).max(0.0),
+            (Some(position), None, Some(looking)) => {
+                position + looking * (middle - position).dot(looking).max(0.0)
+            }
             (_, focal, _) => focal.unwrap_or(middle),
         }
     }

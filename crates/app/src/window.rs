@@ -104,7 +104,8 @@ impl Application {
         window.open = None;
         self.window = Some(window);
         self.end();
-        failed.map_or(Ok(()), Err)?;
+        let recorded = self.stop_recording();
+        failed.map_or(recorded, Err)?;
         ended.map_err(|error| Error::Window(format!("the window was lost: {error}")))
     }
 
@@ -168,11 +169,13 @@ impl Application {
             }
             failed = shell.failed.take();
         }
+        let mut recorded = Ok(());
         if failed.is_some() || self.is_quitting() {
             window.open = None;
+            recorded = self.stop_recording();
         }
         self.window = Some(window);
-        failed.map_or(Ok(()), Err)?;
+        failed.map_or(recorded, Err)?;
         Ok(!self.is_quitting())
     }
 }
@@ -231,7 +234,11 @@ impl<P: Program> Shell<'_, P> {
         }
         let (app, program) = (&mut *self.app, &mut *self.program);
         // Both sides up to the greatest: a window across more screens than that keeps its last columns as they were.
-        let shown = open.screen.present(app.size(), |pixels| app.draw(program, pixels).map(drop));
+        let shown = open.screen.present(app.size(), |pixels| {
+            app.draw(program, pixels)?;
+            app.record_live(pixels);
+            Ok(())
+        });
         match shown {
             Ok(()) => {
                 if let Some(event) = open.unanswered.take() {

@@ -11,6 +11,7 @@ use polosa_scene::{Color, Samples, Shading};
 
 pub(super) use crate::model::Model as ModelArg;
 use crate::output::Destination;
+use crate::record::LEAST_FPS;
 use crate::view::Up;
 
 /// Where an output goes, `{stem}` still in it.
@@ -179,6 +180,12 @@ pub(super) fn frames(text: &str) -> Result<NonZeroUsize, String> {
     frames.ok_or_else(|| format!("write a whole number of frames, from 1 to {MOST_FRAMES}"))
 }
 
+/// Frames a second.
+pub(super) fn fps(text: &str) -> Result<f64, String> {
+    let fps = number(text).ok().filter(|fps| (LEAST_FPS..=MOST_FRAMES as f64).contains(fps));
+    fps.ok_or_else(|| format!("write frames a second, from {LEAST_FPS} to {MOST_FRAMES}"))
+}
+
 /// The largest difference that is let pass.
 pub(super) fn threshold(text: &str) -> Result<f64, String> {
     let threshold = number(text).ok().filter(|threshold| *threshold >= 0.0);
@@ -255,8 +262,8 @@ mod tests {
     use polosa_math::glam::DVec3;
 
     use super::{
-        ModelArg, OutputArg, Resolution, direction, frames, length, pixels, resolution, threads, threshold,
-        up, vector, view_angle,
+        ModelArg, OutputArg, Resolution, direction, fps, frames, length, pixels, resolution, threads,
+        threshold, up, vector, view_angle,
     };
     use crate::output::Destination;
     use crate::view::Up;
@@ -279,6 +286,10 @@ mod tests {
         assert_eq!(frames("1000000").map(usize::from), Ok(1_000_000));
         for text in ["", "0", "-1", "1.5", "2e1", "257", "99999999999999999999999"] {
             assert!(threads(text).unwrap_err().contains("from 1 to 256"), "{text}");
+        }
+        assert_eq!((fps("23.976"), fps("0.001")), (Ok(23.976), Ok(0.001)));
+        for text in ["", "0", "-1", "x", "nan", "inf", "1e-9", "1e99"] {
+            assert!(fps(text).unwrap_err().contains("from 0.001 to 1000000"), "{text}");
         }
         assert_eq!((threshold("2.5"), pixels("0")), (Ok(2.5), Ok(0)));
         for text in ["", "-1", "x", "nan", "inf"] {

@@ -20,6 +20,7 @@ mod progress;
 mod render;
 mod render_args;
 mod report;
+mod turntable;
 mod unseen;
 #[cfg(feature = "window")]
 mod view;
@@ -53,6 +54,7 @@ Examples:
   polosa bunny.obj                          a model in a window; H shows the keys
   polosa render bunny.obj -o bunny.png      a model's picture
   polosa render shape:teapot -o teapot.png  a standard shape
+  polosa turntable bunny.obj -o bunny.gif   a model that turns round once
   polosa info bunny.obj                     counts, bounds, materials, holes
   polosa bench bunny.obj                    how fast this machine draws it
   polosa compare old.png new.png            what differs, and by how much
@@ -63,6 +65,7 @@ enum Command {
     #[cfg(feature = "window")]
     View(Box<view::WindowArgs>),
     Render(Box<render_args::RenderArgs>),
+    Turntable(Box<turntable::TurntableArgs>),
     Info(info::InfoArgs),
     Bench(Box<bench::BenchArgs>),
     Compare(compare::CompareArgs),
@@ -83,6 +86,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         #[cfg(feature = "window")]
         Some(Command::View(args)) => view::run(&args),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Turntable(args)) => turntable::run(&args),
         Some(Command::Info(args)) => info::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),

@@ -6,7 +6,7 @@ use std::time::Duration;
 use polosa_math::glam::DVec3;
 use polosa_raster::Stats;
 use polosa_scene::reference::Methods;
-use polosa_scene::{Projection, Samples};
+use polosa_scene::{Camera, Projection, Samples};
 use serde_json::{Value, json};
 
 use super::models::ModelFacts;
@@ -58,7 +58,7 @@ fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
 }
 
 /// Counts that are not zero, in the order in which triangles are lost.
-fn counts(stats: &Stats) -> String {
+pub(super) fn counts(stats: &Stats) -> String {
     let mut text = format!("{} submitted", stats.submitted);
     for (name, count) in named(stats) {
         if count > 0 || name == "drawn" {
@@ -100,7 +100,7 @@ pub(super) fn json(made: &Made<'_>) -> String {
             "position": vector(made.camera.position()),
             "direction": vector(made.camera.direction()),
             "up": vector(made.camera.up()),
-            "projection": projection(made),
+            "projection": projection(&made.camera, made.view_angle),
         },
         "objects": made.stats.objects,
         "triangles": stats(&made.stats.triangles),
@@ -115,7 +115,7 @@ pub(super) fn json(made: &Made<'_>) -> String {
     format!("{value}\n")
 }
 
-fn stats(stats: &Stats) -> Value {
+pub(super) fn stats(stats: &Stats) -> Value {
     let mut object = serde_json::Map::new();
     object.insert("submitted".to_owned(), stats.submitted.into());
     object.extend(named(stats).map(|(name, count)| (name.to_owned(), count.into())));
@@ -130,16 +130,16 @@ pub(super) fn bounds(bounds: &polosa_math::Bounds) -> Value {
     json!({ "min": vector(bounds.min()), "max": vector(bounds.max()), "size": vector(bounds.size()) })
 }
 
-fn vector(v: DVec3) -> Value {
+pub(super) fn vector(v: DVec3) -> Value {
     // −0 + 0 is 0; everything else stays.
     json!((v + DVec3::ZERO).to_array())
 }
 
 /// The angle is the one that was asked for: degrees that have been radians may come back with another last digit.
-fn projection(made: &Made<'_>) -> Value {
-    match made.camera.projection() {
+pub(super) fn projection(camera: &Camera, view_angle: f64) -> Value {
+    match camera.projection() {
         Projection::Perspective { near, .. } => {
-            json!({ "kind": "perspective", "view_angle": made.view_angle, "near": near })
+            json!({ "kind": "perspective", "view_angle": view_angle, "near": near })
         }
         Projection::Orthographic { height, near, far } => {
             json!({ "kind": "orthographic", "height": height, "near": near, "far": far })
@@ -149,7 +149,7 @@ fn projection(made: &Made<'_>) -> Value {
     }
 }
 
-const fn samples(samples: Samples) -> u64 {
+pub(super) const fn samples(samples: Samples) -> u64 {
     match samples {
         Samples::One => 1,
         Samples::Four => 4,
@@ -157,6 +157,6 @@ const fn samples(samples: Samples) -> u64 {
     }
 }
 
-fn milliseconds(time: Duration) -> f64 {
+pub(super) fn milliseconds(time: Duration) -> f64 {
     (time.as_secs_f64() * 1e5).round() / 1e2
 }

@@ -38,7 +38,7 @@ pub(super) fn note(
 }
 
 /// Whether no pixel differs from an empty picture's.
-fn is_blank(settings: &PictureSettings, picture: &Picture) -> bool {
+pub(super) fn is_blank(settings: &PictureSettings, picture: &Picture) -> bool {
     match (settings.background, &picture.alpha) {
         (Some(color), _) => picture.pixels.iter().all(|&pixel| pixel == color.to_u32()),
         (None, Some(alpha)) => alpha.iter().all(|&alpha| alpha == 0),

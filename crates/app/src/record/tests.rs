@@ -56,7 +56,7 @@ fn recorded(frames: &[Vec<u32>], size: [u32; 2], options: Options) -> Vec<u8> {
 
 /// A square that goes over a background of so many colours, and from frame 5 on stands still.
 fn frames(colors: u32) -> Vec<Vec<u32>> {
-    let background = |x: u32, y: u32| (x + 40 * y) % colors * 0x01_0307 & 0xff_ffff;
+    let background = |x: u32, y: u32| ((x + 40 * y) % colors * 0x01_0307) & 0xff_ffff;
     let frame = |n: u32| {
         let inside = |x: u32, y: u32| (3 * n..3 * n + 8).contains(&x) && (n..n + 8).contains(&y);
         let color = |x, y| if inside(x, y) { 0xff_8000 } else { background(x, y) };
@@ -254,8 +254,8 @@ fn what_prevents_writing_is_found_before_the_first_frame_or_named_after_it() {
 fn a_full_disk_is_told_once() {
     let mut recorder = super::to("/dev/full", options(10.0, 1)).unwrap();
     let frames: Vec<Vec<u32>> =
-        (0..9).map(|n| (0..40_000).map(|k| k * n * 7919 & 0xff_ffff).collect()).collect();
+        (0..9).map(|n| (0..40_000).map(|k| (k * n * 7919) & 0xff_ffff).collect()).collect();
     let failed = frames.iter().find_map(|frame| recorder.frame(frame, [200, 200]).err());
-    let error = failed.map_or_else(|| recorder.finish().unwrap_err(), |error| error).to_string();
+    let error = failed.unwrap_or_else(|| recorder.finish().unwrap_err()).to_string();
     assert!(error.starts_with("/dev/full: ") && error.contains("no space"), "{error}");
 }

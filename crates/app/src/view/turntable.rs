@@ -47,7 +47,10 @@ impl View {
     ) -> Result<Turntable, CameraError> {
         let (focal, axis) = (self.focal(bounds), axis.axis());
         let swept = swept(points, focal, axis);
-        let bounds = Bounds::of(swept.iter().copied());
+        let mut bounds = Bounds::EMPTY;
+        for point in &swept {
+            bounds.insert(*point);
+        }
         let first = self.camera_to(focal, swept.into_iter(), &bounds, aspect)?;
         Ok(Turntable { first, focal, axis })
     }
@@ -177,7 +180,10 @@ mod tests {
                             let seen = camera.project_point(corner, 300, 200).expect("in front of the eye");
                             let edges = [seen.x - 15.0, 285.0 - seen.x, seen.y - 10.0, 190.0 - seen.y];
                             nearest = edges.into_iter().fold(nearest, f64::min);
-                            assert!(edges.iter().all(|edge| *edge > -1e-6), "{view:?} {axis:?} frame {n}: {seen:?}");
+                            assert!(
+                                edges.iter().all(|edge| *edge > -1e-6),
+                                "{view:?} {axis:?} frame {n}: {seen:?}"
+                            );
                         }
                     }
                     assert!(nearest < 12.0, "no farther away than needed: {nearest} px left");
@@ -192,7 +198,8 @@ mod tests {
             let view = View { azimuth, view_up: Some(DVec3::new(0.1, 1.0, 0.3)), ..PLAIN };
             let table = view.turntable(plank().corners().into_iter(), &plank(), axis, 1.0).unwrap();
             let focal = plank().center().unwrap();
-            let light = Light { direction: DVec3::new(1.0, 2.0, 3.0), space: LightSpace::World, ambient: 0.1 };
+            let light =
+                Light { direction: DVec3::new(1.0, 2.0, 3.0), space: LightSpace::World, ambient: 0.1 };
             let (first, _) = table.frame(0, 8, &light).unwrap();
             assert_eq!(first, *table.first());
             for n in 0..=8 {
@@ -201,7 +208,10 @@ mod tests {
                 for corner in plank().corners() {
                     let seen = camera.project_point(corner, 200, 200).unwrap();
                     let expected = first.project_point(focal + turn * (corner - focal), 200, 200).unwrap();
-                    assert!((seen.x - expected.x).abs() < 1e-6 && (seen.y - expected.y).abs() < 1e-6, "frame {n}");
+                    assert!(
+                        (seen.x - expected.x).abs() < 1e-6 && (seen.y - expected.y).abs() < 1e-6,
+                        "frame {n}"
+                    );
                 }
                 assert!((turn * turned.direction - light.direction).length() < 1e-9);
             }
@@ -216,7 +226,12 @@ mod tests {
         assert_eq!(Some(table.first().position()), position);
         for n in 0..8 {
             let (camera, _) = table.frame(n, 8, &Light::default()).unwrap();
-            assert!(plank().corners().iter().all(|c| camera.project_point(*c, 9, 9).is_some_and(|s| s.depth <= 1.0)));
+            assert!(
+                plank()
+                    .corners()
+                    .iter()
+                    .all(|c| camera.project_point(*c, 9, 9).is_some_and(|s| s.depth <= 1.0))
+            );
         }
     }
 

@@ -40,10 +40,25 @@ const VIEW: &[&str] = &[
 
 #[test]
 fn help_mentions_every_option_with_its_default() {
-    let own: [(&str, &[&str]); 2] = [
+    let own: [(&str, &[&str]); 3] = [
         (
             "render",
             &["Draws models as a picture\n", "--output", "{stem}", "--depth-image", "--id-image", "--stats"],
+        ),
+        (
+            "turntable",
+            &[
+                "turn round once, as an animation",
+                "--output",
+                "OUT_%04d.png",
+                "--frames",
+                "[default: 72]",
+                "--fps",
+                "[default: 24]",
+                "--axis",
+                "counter-clockwise",
+                "--stats",
+            ],
         ),
         (
             "bench",

@@ -10,3 +10,4 @@ mod methods;
 mod options;
 mod outputs;
 mod support;
+mod turntable;

@@ -114,6 +114,28 @@ pub(crate) fn said(output: Output) -> Said {
     }
 }
 
+/// The frames of a GIF as they are shown, and how long, in hundredths of a second.
+pub(crate) fn play(bytes: &[u8]) -> Vec<(RgbaImage, u16)> {
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(bytes).unwrap();
+    let mut shown = RgbaImage::new(decoder.width().into(), decoder.height().into());
+    let mut frames = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        let (left, top) = (u32::from(frame.left), u32::from(frame.top));
+        let places =
+            (0..u32::from(frame.height)).flat_map(|y| (0..u32::from(frame.width)).map(move |x| (x, y)));
+        for ((x, y), pixel) in places.clone().zip(frame.buffer.chunks_exact(4)).filter(|(_, p)| p[3] > 0) {
+            shown.put_pixel(left + x, top + y, Rgba([pixel[0], pixel[1], pixel[2], 255]));
+        }
+        frames.push((shown.clone(), frame.delay));
+        if frame.dispose == gif::DisposalMethod::Background {
+            places.for_each(|(x, y)| shown.put_pixel(left + x, top + y, Rgba([0; 4])));
+        }
+    }
+    frames
+}
+
 /// A pixel of these codes, opaque.
 pub(crate) const fn rgb(r: u8, g: u8, b: u8) -> Rgba<u8> {
     Rgba([r, g, b, 255])
