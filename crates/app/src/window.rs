@@ -87,7 +87,8 @@ impl Application {
     ///
     /// # Errors
     ///
-    /// When no window can be opened, or it can no longer be drawn into. The error is logged: to the program's `tracing`
+    /// When no window can be opened, it can no longer be drawn into, or a [recording](Self::record) that went on to the
+    /// end cannot be completed. The error is logged: to the program's `tracing`
     /// subscriber, or where there is none to standard error. World and camera are as they were.
     pub fn run(&mut self, program: &mut impl Program) -> Result<(), Error> {
         critical(self.run_unlogged(program))
@@ -104,7 +105,7 @@ impl Application {
         window.open = None;
         self.window = Some(window);
         self.end();
-        let recorded = self.stop_recording();
+        let recorded = self.complete_recording();
         failed.map_or(recorded, Err)?;
         ended.map_err(|error| Error::Window(format!("the window was lost: {error}")))
     }
@@ -172,7 +173,7 @@ impl Application {
         let mut recorded = Ok(());
         if failed.is_some() || self.is_quitting() {
             window.open = None;
-            recorded = self.stop_recording();
+            recorded = self.complete_recording();
         }
         self.window = Some(window);
         failed.map_or(recorded, Err)?;

@@ -58,8 +58,12 @@ impl Application {
     /// shown in a window has been logged, and is returned here.
     pub fn stop_recording(&mut self) -> Result<(), Error> {
         let failed = self.record_failed.take().map_or(Ok(()), Err);
-        let Some(recording) = self.recording.take() else { return failed };
-        failed.and(recording.finish())
+        failed.and(self.complete_recording())
+    }
+
+    /// The same without what has failed, and was logged, before.
+    pub(crate) fn complete_recording(&mut self) -> Result<(), Error> {
+        self.recording.take().map_or(Ok(()), Recording::finish)
     }
 
     /// [`run_headless`](Self::run_headless), with every frame recorded to a file.
