@@ -42,7 +42,9 @@ impl Folder {
         let mut command = Command::new(env!("CARGO_BIN_EXE_polosa"));
         command.current_dir(self.0.path()).env_remove("RUST_BACKTRACE");
         // No test here opens a window, whoever runs them.
-        ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].map(|name| _ = command.env_remove(name));
+        for name in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+            command.env_remove(name);
+        }
         command
     }
 
