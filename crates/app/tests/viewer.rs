@@ -380,4 +380,10 @@ fn the_built_in_scene_is_shown_where_no_model_is_named() {
     assert!(seat.app.world.objects().count() > 5);
     let picture = seat.frames(1);
     assert!(picture.iter().collect::<std::collections::HashSet<_>>().len() > 20);
+    let before = seat.picture();
+    seat.press('e');
+    assert!(seat.picture() != before);
+    seat.press('e');
+    seat.press('e');
+    assert!(seat.picture() == before, "what has a way of its own to be shown gets it back");
 }

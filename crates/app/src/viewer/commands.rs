@@ -198,12 +198,20 @@ impl Viewer {
             Show::Wire => (Show::Surface, "surfaces"),
         };
         self.show = next;
-        let grid = self.grid;
-        app.world
-            .objects_mut()
-            .filter(|(key, _)| Some(*key) != grid)
-            .for_each(|(_, object)| object.show = next);
+        self.show_objects(app);
         self.say(app, name);
+    }
+
+    /// Shows all as is said, or, surfaces of the built-in scene, each in its own way.
+    pub(super) fn show_objects(&self, app: &mut Application) {
+        let (show, grid) = (self.show, self.grid);
+        let objects = app.world.objects_mut().filter(|(key, _)| Some(*key) != grid);
+        objects.for_each(|(_, object)| object.show = show);
+        let own = self.home.iter().flat_map(|home| &home.shows).filter(|_| show == Show::Surface);
+        for &(key, show) in own {
+            // What is gone stays gone.
+            let _ = app.world.show(key, show);
+        }
     }
 
     fn next_fill(&mut self, app: &mut Application) {

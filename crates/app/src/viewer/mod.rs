@@ -18,9 +18,9 @@ mod watch;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use polosa_math::Bounds;
 use polosa_math::glam::DVec3;
-use polosa_scene::{Camera, FieldOfView, Light, ObjectKey, Show};
+use polosa_math::{Bounds, Placement};
+use polosa_scene::{Camera, FieldOfView, Light, Object, ObjectKey, Show};
 
 use self::keys::Mode;
 use self::loader::{Loaded, Loader};
@@ -133,7 +133,9 @@ struct Home {
     light: Light,
     pivot: DVec3,
     up: Up,
-    placements: Vec<(ObjectKey, polosa_math::Placement)>,
+    placements: Vec<(ObjectKey, Placement)>,
+    /// How the objects of the built-in scene are shown, each in its own way.
+    shows: Vec<(ObjectKey, Show)>,
 }
 
 /// A line for the user.
@@ -244,22 +246,20 @@ impl Viewer {
         let middle = bounds.center().unwrap_or(DVec3::ZERO);
         let pivot = self.options.view.focal_point.filter(|_| !self.models.is_empty()).unwrap_or(middle);
         let placements = world.objects().map(|(key, object)| (key, object.placement)).collect();
-        app.world = world;
-        for object in app.world.objects_mut().map(|(_, object)| object) {
-            // The way of showing may have been changed while they were read; in the built-in scene each has its own.
-            if !self.models.is_empty() {
-                object.show = self.show;
-            }
-        }
+        let own = |(key, object): (ObjectKey, &Object)| (key, object.show);
+        let shows = world.objects().map(own).filter(|_| self.models.is_empty()).collect();
+        // The key of the old grid is of the old world.
+        (app.world, self.grid) = (world, None);
         if !self.keeps_camera {
             (app.camera, app.light) = (camera, light);
             app.set_up(up.axis());
             app.set_pivot(pivot);
             self.follow_camera(app);
         }
-        self.home = Some(Home { camera, light, pivot, up, placements });
+        self.home = Some(Home { camera, light, pivot, up, placements, shows });
+        // The way of showing may have been changed while they were read.
+        self.show_objects(app);
         self.keeps_camera = false;
-        self.grid = None;
         self.show_grid(app);
         app.settings.title = format!("{} – polosa", self.name());
         self.message = None;
