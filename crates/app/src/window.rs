@@ -217,7 +217,8 @@ impl<P: Program> Shell<'_, P> {
         }
     }
 
-    /// Settles when the next frame may come: a period after this one was due, or after now if that is past already.
+    /// Settles, when a frame is begun, when the next may be: a period after this one was due, or after now if that is
+    /// past already. What a frame takes is no pause to wait for.
     fn schedule(&mut self) {
         if let Some(open) = self.open {
             let (now, period) = (Instant::now(), self.app.period());
@@ -306,8 +307,8 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
         if matches!(event, WindowEvent::RedrawRequested) {
             // Also when a part of the window was uncovered: what it shows may be gone.
             if !self.own_loop {
-                self.frame();
                 self.schedule();
+                self.frame();
             } else {
                 self.app.redraw();
             }
