@@ -311,6 +311,7 @@ impl Application {
 
     /// Moves the camera that flies, and calls the update hook.
     pub(crate) fn tick(&mut self, program: &mut impl Program, step: Duration) {
+        self.input.step();
         let step = step.min(LONGEST_STEP);
         self.fly_on(step);
         program.update(self, step);

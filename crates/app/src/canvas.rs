@@ -56,6 +56,12 @@ impl<'a> Canvas<'a> {
         self.scale
     }
 
+    /// The pixels, row by row, for a program that draws them itself: as a [`Target`](polosa_raster::Target), say.
+    #[must_use]
+    pub const fn pixels_mut(&mut self) -> &mut [u32] {
+        self.pixels
+    }
+
     /// A length in units of the desktop as whole pixels, 1 at least.
     #[must_use]
     pub fn pixels_of(&self, units: f64) -> i32 {

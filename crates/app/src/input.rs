@@ -14,6 +14,8 @@ const DOUBLE_CLICK_PIXELS: f64 = 4.0;
 #[derive(Clone, Debug, Default)]
 pub struct Input {
     keys: Vec<Key>,
+    /// Keys that went down before the step that is being taken, and those for the next one.
+    struck: [Vec<Key>; 2],
     buttons: Vec<Button>,
     modifiers: Modifiers,
     pointer: Option<[f64; 2]>,
@@ -25,6 +27,13 @@ impl Input {
     #[must_use]
     pub fn is_held(&self, key: Key) -> bool {
         self.keys.contains(&key)
+    }
+
+    /// Whether a key went down since the last step: for programs that have their own loop, or act in
+    /// [`Program::update`](crate::Program::update). A key that is held counts once.
+    #[must_use]
+    pub fn is_struck(&self, key: Key) -> bool {
+        self.struck[0].contains(&key)
     }
 
     /// Whether a button is held.
@@ -49,7 +58,12 @@ impl Input {
     /// does: a double click from a second press.
     pub fn take(&mut self, event: &Event, time: Duration) -> Option<Event> {
         match *event {
-            Event::Key { key, pressed, .. } => hold(&mut self.keys, key, pressed),
+            Event::Key { key, pressed, repeat } => {
+                hold(&mut self.keys, key, pressed);
+                if pressed && !repeat {
+                    self.struck[1].push(key);
+                }
+            }
             Event::Modifiers(modifiers) => self.modifiers = modifiers,
             Event::Motion { at } | Event::Wheel { at, .. } => self.pointer = Some(at),
             Event::Button { button, pressed, at } => {
@@ -68,6 +82,11 @@ impl Input {
             _ => {}
         }
         None
+    }
+
+    /// A step begins: what was struck before belongs to it.
+    pub(crate) fn step(&mut self) {
+        self.struck[0] = std::mem::take(&mut self.struck[1]);
     }
 
     fn press(&mut self, button: Button, at: [f64; 2], time: Duration) -> Option<Event> {
@@ -130,6 +149,22 @@ mod tests {
         input.take(&Event::Focus(false), Duration::ZERO);
         assert!(!input.is_held(Key::Char('w')) && !input.is_button_held(Button::Left));
         assert_eq!(input.modifiers(), Modifiers::NONE);
+    }
+
+    #[test]
+    fn a_key_that_went_down_and_up_between_two_steps_is_struck_in_one_step() {
+        let mut input = Input::default();
+        let feed = |input: &mut Input, pressed, repeat| {
+            input.take(&Event::Key { key: Key::Tab, pressed, repeat }, Duration::ZERO);
+        };
+        feed(&mut input, true, false);
+        feed(&mut input, false, false);
+        assert!(!input.is_struck(Key::Tab), "its step is still to come");
+        input.step();
+        assert!(input.is_struck(Key::Tab) && !input.is_held(Key::Tab));
+        feed(&mut input, true, true);
+        input.step();
+        assert!(!input.is_struck(Key::Tab), "a repetition is none");
     }
 
     #[test]
