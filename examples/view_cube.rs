@@ -1,7 +1,7 @@
 //! The second seed: a camera, and a cube in wire that turns before it, half a turn a second.
 //!
 //! What to see: three perspectives that look the same, from the angle of view, from planes, and without a far plane; a
-//! parallel projection as large, and the seed's own, half a unit to each side, which no cube fits into. The seed draws
+//! parallel projection as large, and the seed's own, half a unit to each side, which the cube is too large for. It draws
 //! three lines a triangle and cuts their ends off to whole pixels, so that corners tremble; its camera looks down with
 //! axes shorter than 1, so that the cube is a tenth too small. E: as polosa draws it. Text is 2D, over what is 3D.
 
