@@ -236,7 +236,7 @@ impl Application {
         program: &mut impl Program,
         mut take: impl FnMut(u64, &Picture) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let step = self.period();
+        let (start, step) = (Instant::now(), self.period());
         self.begin(program);
         for frame in 0..frames {
             let time = step.saturating_mul(u32::try_from(frame).unwrap_or(u32::MAX));
@@ -247,7 +247,8 @@ impl Application {
             }
             let [width, height] = self.size;
             let mut pixels = vec![0; width as usize * height as usize];
-            let stats = self.draw(program, &mut pixels)?;
+            // Frames follow each other at the frame rate, however fast they are drawn.
+            let stats = self.draw(program, &mut pixels, start + time)?;
             let picture = Picture { width, height, pixels, alpha: None, distances: None, ids: None, stats };
             self.record_step(&picture)?;
             take(frame, &picture)?;
@@ -323,17 +324,18 @@ impl Application {
         self.asked || self.settings.continuous || self.drawn.as_ref().is_none_or(|drawn| *drawn != self.now())
     }
 
-    /// Draws a frame into `pixels`, as many as the size says.
+    /// Draws a frame, which follows the last one at `due`, into `pixels`, as many as the size says.
     pub(crate) fn draw(
         &mut self,
         program: &mut impl Program,
         pixels: &mut [u32],
+        due: Instant,
     ) -> Result<polosa_scene::DrawStats, Error> {
         let start = Instant::now();
         self.asked = false;
         self.follow_size();
         let stats = self.paint(pixels)?;
-        self.statistics.frame(start, stats);
+        self.statistics.frame(due, start.elapsed(), stats);
         let mut canvas = Canvas::new(pixels, self.size, self.scale);
         program.overlay(self, &mut canvas);
         if self.settings.show_rate {

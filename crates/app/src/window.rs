@@ -237,7 +237,7 @@ impl<P: Program> Shell<'_, P> {
         let (app, program) = (&mut *self.app, &mut *self.program);
         // Both sides up to the greatest: a window across more screens than that keeps its last columns as they were.
         let shown = open.screen.present(app.size(), |pixels| {
-            app.draw(program, pixels)?;
+            app.draw(program, pixels, Instant::now())?;
             app.record_live(pixels);
             Ok(())
         });

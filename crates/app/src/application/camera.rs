@@ -10,6 +10,7 @@ use crate::controls::fly::Fly;
 use crate::controls::navigation::{Navigation, Stage};
 use crate::event::Event;
 use crate::input::Input;
+use crate::model::points;
 use crate::settings::Navigate;
 
 /// From the world's middle to the observer, with +Y upward: from the front right, and from above.
@@ -28,7 +29,8 @@ impl Application {
     pub fn frame_world(&mut self) {
         self.follow_size();
         let (bounds, up) = (self.world.bounds(), self.navigation.up());
-        let _ = self.camera.frame(&bounds, self.navigation.upright(TO_EYE), up, MARGIN);
+        let to_eye = self.navigation.upright(TO_EYE);
+        let _ = self.camera.frame_points(points(&self.world), to_eye, up, MARGIN);
         self.navigation.set_pivot(bounds.center().unwrap_or(DVec3::ZERO));
     }
 

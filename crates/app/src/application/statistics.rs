@@ -62,12 +62,12 @@ impl Statistics {
         self.latencies.iter().copied()
     }
 
-    /// A frame was drawn.
-    pub(super) fn frame(&mut self, begun: Instant, stats: DrawStats) {
+    /// A frame was drawn that follows the last one at `begun`.
+    pub(super) fn frame(&mut self, begun: Instant, took: Duration, stats: DrawStats) {
         self.frames += 1;
         self.last = stats;
         keep(&mut self.begun, begun);
-        keep(&mut self.drawing, begun.elapsed());
+        keep(&mut self.drawing, took);
     }
 
     /// A frame that answers an event of this age is on the screen.
@@ -82,4 +82,37 @@ fn keep<T>(kept: &mut VecDeque<T>, one: T) {
         kept.pop_front();
     }
     kept.push_back(one);
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use polosa_scene::DrawStats;
+
+    use super::{KEPT, Statistics};
+
+    #[test]
+    fn the_rate_is_that_of_the_last_second() {
+        let (start, mut statistics) = (Instant::now(), Statistics::default());
+        assert_eq!(statistics.rate(), 0.0);
+        let mut at =
+            |ms| statistics.frame(start + Duration::from_millis(ms), Duration::ZERO, DrawStats::default());
+        at(0); // long before
+        (0..=10).for_each(|k| at(5000 + 40 * k));
+        assert_eq!((statistics.rate(), statistics.frames()), (25.0, 12));
+    }
+
+    #[test]
+    fn times_are_kept_of_so_many_frames_and_no_more() {
+        let (start, mut statistics) = (Instant::now(), Statistics::default());
+        for k in 0..KEPT as u64 + 5 {
+            statistics.frame(start, Duration::from_micros(k), DrawStats::default());
+        }
+        assert_eq!(
+            (statistics.times().len(), statistics.times().next()),
+            (KEPT, Some(Duration::from_micros(5)))
+        );
+        assert_eq!(statistics.time(), Duration::from_micros(KEPT as u64 + 4));
+    }
 }
