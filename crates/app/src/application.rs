@@ -35,7 +35,7 @@ use crate::program::Program;
 use crate::settings::Settings;
 
 /// The longest step that [`Program::update`] is told of: after a pause, things go on instead of jumping.
-const LONGEST_STEP: Duration = Duration::from_millis(250);
+pub(crate) const LONGEST_STEP: Duration = Duration::from_millis(250);
 
 /// A window with 3D in it, or the same without the window.
 ///
@@ -85,6 +85,9 @@ pub struct Application {
     record_failed: Option<Error>,
     #[cfg(feature = "window")]
     pub(crate) window: Option<crate::window::Window>,
+    /// Why there is no window, and never will be.
+    #[cfg(feature = "window")]
+    pub(crate) refused: Option<String>,
 }
 
 /// All that a picture without an overlay follows from.
@@ -149,6 +152,8 @@ impl Application {
             record_failed: None,
             #[cfg(feature = "window")]
             window: None,
+            #[cfg(feature = "window")]
+            refused: None,
         }
     }
 }
@@ -313,7 +318,6 @@ impl Application {
     /// Moves the camera that flies, and calls the update hook.
     pub(crate) fn tick(&mut self, program: &mut impl Program, step: Duration) {
         self.input.step();
-        let step = step.min(LONGEST_STEP);
         self.fly_on(step);
         program.update(self, step);
     }

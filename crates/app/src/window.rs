@@ -13,16 +13,17 @@ use core::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use polosa_raster::MAX_SIDE;
 use winit::application::ApplicationHandler;
-use winit::dpi::LogicalSize;
+use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
-use winit::platform::pump_events::EventLoopExtPumpEvents as _;
+use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::platform::run_on_demand::EventLoopExtRunOnDemand as _;
 use winit::window::{Window as OsWindow, WindowId};
 
 use self::convert::Pointer;
-use crate::application::Application;
+use crate::application::{Application, LONGEST_STEP};
 use crate::error::{Error, one_line};
 use crate::event::Event;
 use crate::guard;
@@ -61,22 +62,32 @@ struct Open {
     news: bool,
     /// Whether winit was asked to have us draw.
     asked: bool,
+    /// Whether the last update was one of an animation.
+    animated: bool,
+    /// The size that the settings had when the window was last given it.
+    wished: [u32; 2],
 }
 
 impl Window {
     fn connect() -> Result<Self, Error> {
-        let failed = |what: &str| {
-            // winit names the line of its source before the reason.
-            let reason = what.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
-            let reason = reason.map_or(what, |(_, reason)| reason).trim_end_matches('.');
-            Error::Window(format!("no window can be opened: {}", one_line(reason)))
-        };
         // Where a library of the windowing system is missing, winit panics.
         guard::quietly(|| EventLoop::with_user_event().build())
-            .map_err(|panic| failed(&panic))?
+            .map_err(|panic| refused(&panic))?
             .map(|event_loop| Self { event_loop, open: None })
-            .map_err(|error| failed(&error.to_string()))
+            .map_err(|error| refused(&error.to_string()))
     }
+}
+
+/// That there is no window, and why.
+fn refused(what: &str) -> Error {
+    // winit names the line of its source before the reason.
+    let reason = what.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
+    let reason = one_line(reason.map_or(what, |(_, reason)| reason).trim_end_matches('.'));
+    Error::Window(format!("no window can be opened: {reason}: start it on a desktop, or draw to a file"))
+}
+
+fn lost(what: &str) -> Error {
+    Error::Window(format!("the window was lost: {}: start it again", one_line(what)))
 }
 
 /// # Windows
@@ -96,18 +107,28 @@ impl Application {
 
     /// The same, for a caller who tells of errors himself.
     pub(crate) fn run_unlogged(&mut self, program: &mut impl Program) -> Result<(), Error> {
-        let mut window = self.window.take().map_or_else(Window::connect, Ok)?;
+        let mut window = self.take_window()?;
         let proxy = window.event_loop.create_proxy();
         self.waker().set(move || _ = proxy.send_event(()));
-        let mut shell = Shell { app: self, program, open: &mut window.open, failed: None, own_loop: false };
+        let mut shell = Shell { app: self, program, open: &mut window.open, failed: None, own: Own::No };
         let ended = window.event_loop.run_app_on_demand(&mut shell);
         let failed = shell.failed.take();
-        window.open = None;
+        self.waker().forget();
         self.window = Some(window);
         self.end();
         let recorded = self.complete_recording();
         failed.map_or(recorded, Err)?;
-        ended.map_err(|error| Error::Window(format!("the window was lost: {error}")))
+        ended.map_err(|error| lost(&error.to_string()))
+    }
+
+    /// The connection to the windowing system. A process may ask for it once: what was the answer is the answer.
+    fn take_window(&mut self) -> Result<Window, Error> {
+        if let Some(reason) = &self.refused {
+            return Err(Error::Window(reason.clone()));
+        }
+        let window = self.window.take().map_or_else(Window::connect, Ok);
+        self.refused = window.as_ref().err().map(Error::to_string);
+        window
     }
 
     /// For programs that have their own loop: handles what happened, waits until a frame is due, and shows it if
@@ -147,32 +168,32 @@ impl Application {
         if self.is_quitting() {
             return Ok(false);
         }
-        let mut window = self.window.take().map_or_else(Window::connect, Ok)?;
+        let mut window = self.take_window()?;
         let mut failed = None;
         loop {
             let due = window.open.as_ref().map(|open| open.next.saturating_duration_since(Instant::now()));
-            let open = &mut window.open;
-            let mut shell = Shell { app: self, program, open, failed: None, own_loop: true };
-            let _ = window.event_loop.pump_app_events(Some(due.unwrap_or_default()), &mut shell);
-            failed = failed.or(shell.failed.take());
+            failed = failed.or(window.pump(self, program, due.unwrap_or_default(), Own::Runs));
             let waits = window.open.as_ref().is_none_or(|open| Instant::now() < open.next);
             if !waits || failed.is_some() || self.is_quitting() {
                 break;
             }
         }
         if window.open.is_some() && failed.is_none() && !self.is_quitting() {
-            let mut shell =
-                Shell { app: self, program, open: &mut window.open, failed: None, own_loop: true };
-            shell.tick();
+            let open = &mut window.open;
+            let mut shell = Shell { app: self, program, open, failed: None, own: Own::Runs };
+            shell.tick(true);
             shell.schedule();
             if shell.app.needs_frame() {
                 shell.frame();
+            } else if let Some(open) = shell.open {
+                open.unanswered = None;
             }
             failed = shell.failed.take();
         }
         let mut recorded = Ok(());
         if failed.is_some() || self.is_quitting() {
-            window.open = None;
+            // Once more, for the system to hear of it.
+            let _ = window.pump(self, program, Duration::ZERO, Own::Ends);
             recorded = self.complete_recording();
         }
         self.window = Some(window);
@@ -181,14 +202,46 @@ impl Application {
     }
 }
 
+impl Window {
+    /// Handles what has happened, and what happens within a time.
+    fn pump(
+        &mut self,
+        app: &mut Application,
+        program: &mut impl Program,
+        time: Duration,
+        own: Own,
+    ) -> Option<Error> {
+        let mut shell = Shell { app, program, open: &mut self.open, failed: None, own };
+        let status = self.event_loop.pump_app_events(Some(time), &mut shell);
+        let failed = shell.failed.take();
+        match status {
+            PumpStatus::Continue => failed,
+            PumpStatus::Exit(_) => failed.or_else(|| Some(lost("the desktop has ended"))),
+        }
+    }
+}
+
+/// Whether the program has its own loop, so that updates and frames are not for the events to bring about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Own {
+    No,
+    Runs,
+    /// The window is closed.
+    Ends,
+}
+
+/// A size in units of the desktop.
+fn logical([width, height]: [u32; 2]) -> LogicalSize<u32> {
+    LogicalSize::new(width.clamp(1, MAX_SIDE), height.clamp(1, MAX_SIDE))
+}
+
 /// What winit calls.
 struct Shell<'a, P> {
     app: &'a mut Application,
     program: &'a mut P,
     open: &'a mut Option<Open>,
     failed: Option<Error>,
-    /// Whether the program has its own loop, so that updates and frames are not for the events to bring about.
-    own_loop: bool,
+    own: Own,
 }
 
 impl<P: Program> Shell<'_, P> {
@@ -202,18 +255,26 @@ impl<P: Program> Shell<'_, P> {
     }
 
     /// Has the program updated.
-    fn tick(&mut self) {
+    fn tick(&mut self, animated: bool) {
         let Some(open) = self.open else { return };
-        let now = Instant::now();
-        let step = now.duration_since(open.updated);
+        let (now, period) = (Instant::now(), self.app.period());
+        // An animation that begins after a rest has no time to catch up with.
+        let longest = if open.animated { LONGEST_STEP.max(period) } else { period };
+        let step = now.duration_since(open.updated).min(longest);
         open.updated = now;
         open.news = false;
+        open.animated = animated;
         let time = open.epoch.elapsed();
         self.app.feed_sent(self.program, time);
         self.app.tick(self.program, step);
         if open.title != self.app.settings.title {
             open.title.clone_from(&self.app.settings.title);
             open.window.set_title(&open.title);
+        }
+        if open.wished != self.app.settings.size {
+            open.wished = self.app.settings.size;
+            // Where the answer is no event, the desktop decides alone.
+            let _ = open.window.request_inner_size(logical(open.wished));
         }
     }
 
@@ -232,6 +293,7 @@ impl<P: Program> Shell<'_, P> {
         open.asked = false;
         let size = open.window.inner_size();
         if size.width == 0 || size.height == 0 {
+            open.unanswered = None;
             return;
         }
         let (app, program) = (&mut *self.app, &mut *self.program);
@@ -252,14 +314,15 @@ impl<P: Program> Shell<'_, P> {
     }
 
     fn open_window(&mut self, event_loop: &ActiveEventLoop) -> Result<(), Error> {
-        let [width, height] = self.app.settings.size;
         let title = self.app.settings.title.clone();
+        let wished = self.app.settings.size;
+        // Larger sides than that are no pictures, and some systems have no number for them.
         let attributes = OsWindow::default_attributes()
             .with_title(&title)
-            .with_inner_size(LogicalSize::new(width.max(1), height.max(1)));
+            .with_inner_size(logical(wished))
+            .with_max_inner_size(PhysicalSize::new(MAX_SIDE, MAX_SIDE));
         let window = event_loop.create_window(attributes);
-        let window = window.map_err(|error| Error::Window(format!("no window can be opened: {error}")))?;
-        let window = Arc::new(window);
+        let window = Arc::new(window.map_err(|error| refused(&error.to_string()))?);
         let screen = Screen::new(&window)?;
         let now = Instant::now();
         let (size, scale) = (<[u32; 2]>::from(window.inner_size()), window.scale_factor());
@@ -274,6 +337,8 @@ impl<P: Program> Shell<'_, P> {
             unanswered: None,
             news: true,
             asked: false,
+            animated: false,
+            wished,
         });
         self.app.feed(self.program, &Event::Resize { size, scale }, Duration::ZERO);
         self.app.begin(self.program);
@@ -282,7 +347,7 @@ impl<P: Program> Shell<'_, P> {
 
     /// Ends the loop when there is a reason to.
     fn leave(&self, event_loop: &ActiveEventLoop) {
-        if !self.own_loop && (self.failed.is_some() || self.app.is_quitting()) {
+        if self.own == Own::No && (self.failed.is_some() || self.app.is_quitting()) {
             event_loop.exit();
         }
     }
@@ -290,7 +355,7 @@ impl<P: Program> Shell<'_, P> {
 
 impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if self.open.is_none() && self.failed.is_none() {
+        if self.open.is_none() && self.failed.is_none() && self.own != Own::Ends {
             self.failed = self.open_window(event_loop).err();
             self.leave(event_loop);
         }
@@ -306,7 +371,7 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
         let Some(open) = self.open else { return };
         if matches!(event, WindowEvent::RedrawRequested) {
             // Also when a part of the window was uncovered: what it shows may be gone.
-            if !self.own_loop {
+            if self.own == Own::No {
                 self.schedule();
                 self.frame();
             } else {
@@ -319,18 +384,22 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        if self.own == Own::Ends {
+            *self.open = None;
+            return;
+        }
         // A window that was lost is opened anew when the program asks for the next frame.
         self.resumed(event_loop);
-        if self.own_loop || self.failed.is_some() {
+        if self.own == Own::Runs || self.failed.is_some() {
             return;
         }
         let Some(open) = self.open else { return };
         let animated = self.program.animated() || self.app.is_flying();
         let due = Instant::now() >= open.next;
         // An animation goes on at its own pace, whatever happens meanwhile; else news are looked at when they come.
-        let updates = if animated { due && !open.asked } else { open.news };
+        let updates = if animated { due && !open.asked } else { open.news || self.app.has_sent() };
         if updates {
-            self.tick();
+            self.tick(animated);
         }
         self.leave(event_loop);
         let wanted = self.app.needs_frame();
@@ -346,11 +415,19 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
             self.schedule();
         }
         let Some(open) = self.open else { return };
-        let wakes = (animated || wanted) && !open.asked;
-        event_loop.set_control_flow(if wakes {
+        // An update may have begun an animation, or sent something.
+        let animated = animated || self.program.animated() || self.app.is_flying();
+        event_loop.set_control_flow(if self.app.has_sent() && !animated {
+            ControlFlow::Poll
+        } else if (animated || wanted) && !open.asked {
             ControlFlow::WaitUntil(open.next)
         } else {
             ControlFlow::Wait
         });
+    }
+
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        // Now, while the system is still told of it.
+        *self.open = None;
     }
 }

@@ -18,6 +18,12 @@ impl Waker {
         }
     }
 
+    /// Nothing is done from now on.
+    #[cfg(feature = "window")]
+    pub(crate) fn forget(&self) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    }
+
     /// What is done from now on.
     #[cfg(feature = "window")]
     pub(crate) fn set(&self, wake: impl Fn() + Send + 'static) {
