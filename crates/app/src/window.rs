@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 use polosa_raster::MAX_SIDE;
 use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalSize};
-use winit::event::WindowEvent;
+use winit::event::{DeviceEvent, DeviceId, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::platform::run_on_demand::EventLoopExtRunOnDemand as _;
@@ -78,12 +78,24 @@ impl Window {
     }
 }
 
-/// That there is no window, and why.
+/// That there is no window, why, and what to do.
 fn refused(what: &str) -> Error {
     // winit names the line of its source before the reason.
     let reason = what.strip_prefix("os error at ").and_then(|rest| rest.split_once(": "));
     let reason = one_line(reason.map_or(what, |(_, reason)| reason).trim_end_matches('.'));
-    Error::Window(format!("no window can be opened: {reason}: start it on a desktop, or draw to a file"))
+    Error::Window(format!("no window can be opened: {}", with_advice(&reason)))
+}
+
+/// winit's reason, with what to do: where it is a library that is missing, to install it.
+fn with_advice(reason: &str) -> String {
+    if reason.contains("xlib") {
+        // It does not say which.
+        "libX11, libX11-xcb, libXcursor or libXi, or what they need, cannot be loaded: install them".to_owned()
+    } else if reason.starts_with("Library ") {
+        format!("{reason}: install it")
+    } else {
+        format!("{reason}: start it on a desktop, or draw to a file")
+    }
 }
 
 fn lost(what: &str) -> Error {
@@ -383,6 +395,12 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
         self.leave(event_loop);
     }
 
+    fn device_event(&mut self, _: &ActiveEventLoop, _: DeviceId, event: DeviceEvent) {
+        if let Some(open) = self.open {
+            open.pointer.device_event(&event);
+        }
+    }
+
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         if self.own == Own::Ends {
             *self.open = None;
@@ -408,6 +426,8 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
             // What happened changed nothing: no frame will answer it.
             open.unanswered = None;
         }
+        // The update may have begun an animation, or ended one.
+        let animated = self.program.animated() || self.app.is_flying();
         if wanted && due && !open.asked {
             open.asked = true;
             open.window.request_redraw();
@@ -415,8 +435,6 @@ impl<P: Program> ApplicationHandler<()> for Shell<'_, P> {
             self.schedule();
         }
         let Some(open) = self.open else { return };
-        // An update may have begun an animation, or sent something.
-        let animated = animated || self.program.animated() || self.app.is_flying();
         event_loop.set_control_flow(if self.app.has_sent() && !animated {
             ControlFlow::Poll
         } else if (animated || wanted) && !open.asked {

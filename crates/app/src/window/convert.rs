@@ -1,6 +1,6 @@
 //! winit's events in our words.
 
-use winit::event::{ElementState, MouseButton, MouseScrollDelta, WindowEvent};
+use winit::event::{DeviceEvent, ElementState, MouseButton, MouseScrollDelta, WindowEvent};
 use winit::keyboard::{Key as OsKey, KeyCode, NamedKey, PhysicalKey};
 use winit::window::Window as OsWindow;
 
@@ -13,9 +13,23 @@ const PIXELS_PER_NOTCH: f64 = 50.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Pointer {
     at: [f64; 2],
+    /// Whether what the wheel does next is that its button comes up.
+    echo: bool,
 }
 
 impl Pointer {
+    /// Takes note of what a device does, told before the window hears of it.
+    ///
+    /// Under X11 a wheel without an axis of its own, as remote desktops and XTEST have it, is the buttons 4 to 7. winit
+    /// tells of a notch when such a button goes down, and of another one when it comes up again.
+    pub(super) fn device_event(&mut self, event: &DeviceEvent) {
+        if let DeviceEvent::Button { button, state } = *event
+            && cfg!(all(unix, not(target_os = "macos")))
+        {
+            self.echo = (4..=7).contains(&button) && state == ElementState::Released;
+        }
+    }
+
     /// An event in our words, if we have any for it.
     pub(super) fn event(&mut self, event: &WindowEvent, window: &OsWindow) -> Option<Event> {
         Some(match event {
@@ -31,6 +45,11 @@ impl Pointer {
                     _ => return None,
                 };
                 Event::Button { button, pressed: *state == ElementState::Pressed, at: self.at }
+            }
+            WindowEvent::MouseWheel { delta: MouseScrollDelta::LineDelta(..), .. }
+                if std::mem::take(&mut self.echo) =>
+            {
+                return None;
             }
             WindowEvent::MouseWheel { delta, .. } => {
                 let notches = match delta {
