@@ -19,7 +19,7 @@ mod waker;
 
 use std::time::{Duration, Instant};
 
-use polosa_scene::{Camera, Light, Picture, Revision, Style, World};
+use polosa_scene::{Camera, Light, LightSpace, Picture, Revision, Style, World};
 
 use self::paint::Painter;
 use self::recording::Recording;
@@ -35,7 +35,11 @@ use crate::program::Program;
 use crate::settings::Settings;
 
 /// The longest step that [`Program::update`] is told of: after a pause, things go on instead of jumping.
+#[cfg(feature = "window")]
 pub(crate) const LONGEST_STEP: Duration = Duration::from_millis(250);
+
+/// No rate is slower than a frame a day.
+const LONGEST_PERIOD: Duration = Duration::from_secs(86_400);
 
 /// A window with 3D in it, or the same without the window.
 ///
@@ -72,11 +76,17 @@ pub struct Application {
     sent: Vec<Event>,
     painter: Painter,
     size: [u32; 2],
+    /// The settings' size when it was last obeyed.
+    wished: [u32; 2],
     scale: f64,
+    /// The time that has passed without a window.
+    clock: Duration,
     /// What is on show.
     drawn: Option<Drawn>,
     asked: bool,
     started: bool,
+    /// Whether a window says how large the picture is.
+    pub(crate) has_window: bool,
     quit: bool,
     statistics: Statistics,
     waker: Waker,
@@ -90,12 +100,13 @@ pub struct Application {
     pub(crate) refused: Option<String>,
 }
 
-/// All that a picture without an overlay follows from.
+/// All that a picture without an overlay follows from. Numbers that need not be finite stand here as bits: NaN is not
+/// what it was a moment ago, and would be drawn for ever.
 #[derive(Clone, Debug, PartialEq)]
 struct Drawn {
     world: Revision,
     camera: Camera,
-    light: Light,
+    light: ([u64; 3], LightSpace, u32),
     style: Style,
     settings: Settings,
     size: [u32; 2],
@@ -125,7 +136,7 @@ impl Application {
     pub fn with(settings: Settings) -> Self {
         debug_assert!(settings.size.iter().all(|side| *side > 0), "a window of {:?} pixels", settings.size);
         debug_assert!(settings.frame_rate > 0.0, "a frame rate of {}", settings.frame_rate);
-        let size = settings.size.map(|side| side.clamp(1, polosa_raster::MAX_SIDE));
+        let (wished, size) = (settings.size, possible(settings.size));
         let mut camera = Camera::new();
         // What every camera can be set to.
         let _ = camera.set_aspect(f64::from(size[0]) / f64::from(size[1]));
@@ -141,10 +152,13 @@ impl Application {
             sent: Vec::new(),
             painter: Painter::default(),
             size,
+            wished,
             scale: 1.0,
+            clock: Duration::ZERO,
             drawn: None,
             asked: false,
             started: false,
+            has_window: false,
             quit: false,
             statistics: Statistics::default(),
             waker: Waker::default(),
@@ -222,36 +236,41 @@ impl Application {
     pub fn picture(&mut self) -> Result<Picture, Error> {
         self.follow_size();
         let [width, height] = self.size;
-        let mut pixels = vec![0; width as usize * height as usize];
+        let mut pixels = self.blank()?;
         let stats = self.paint(&mut pixels)?;
         Ok(Picture { width, height, pixels, alpha: None, distances: None, ids: None, stats })
     }
 
     /// Takes so many frames' steps without a window, and hands each picture, numbered from 0, to `take`: to write it
-    /// to a file, or to look at it. Every frame is drawn, and takes exactly its time at the frame rate.
+    /// to a file, or to look at it. Every frame is drawn, and takes exactly its time at the frame rate (where that is
+    /// infinite, 1/50 s).
     ///
-    /// It ends early when the program says so ([`Application::quit`]) or `take` fails.
+    /// It ends early when the program says so ([`Application::quit`]) or `take` fails. Called again it goes on: the
+    /// program is started once, and one that has ended stays so.
     ///
     /// # Errors
     ///
-    /// What `take` returns; and, while frames are [recorded](Self::record), when that fails.
+    /// What `take` returns; when there is not enough memory for a picture; and, while frames are [recorded](Self::record), when that fails.
     pub fn run_headless(
         &mut self,
         frames: u64,
         program: &mut impl Program,
         mut take: impl FnMut(u64, &Picture) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let (start, step) = (Instant::now(), self.period());
+        let (start, step) = (Instant::now(), self.exact_step());
         self.begin(program);
         for frame in 0..frames {
             let time = step.saturating_mul(u32::try_from(frame).unwrap_or(u32::MAX));
-            self.feed_sent(program, time);
+            self.follow_size();
+            self.feed_sent(program, self.clock);
+            self.clock = self.clock.saturating_add(step);
             self.tick(program, step);
             if self.quit {
                 break;
             }
+            self.follow_size();
             let [width, height] = self.size;
-            let mut pixels = vec![0; width as usize * height as usize];
+            let mut pixels = self.blank()?;
             // Frames follow each other at the frame rate, however fast they are drawn.
             let stats = self.draw(program, &mut pixels, start + time)?;
             let picture = Picture { width, height, pixels, alpha: None, distances: None, ids: None, stats };
@@ -268,7 +287,32 @@ impl Application {
     pub(crate) fn period(&self) -> Duration {
         let rate = self.settings.frame_rate;
         let seconds = if rate > 0.0 { 1.0 / rate } else { 1.0 / 60.0 };
-        Duration::try_from_secs_f64(seconds).unwrap_or(LONGEST_STEP)
+        Duration::try_from_secs_f64(seconds).unwrap_or(LONGEST_PERIOD).min(LONGEST_PERIOD)
+    }
+
+    /// A frame's time without a window, which is never 0.
+    fn exact_step(&self) -> Duration {
+        let period = self.period();
+        if period.is_zero() { Duration::from_millis(20) } else { period }
+    }
+
+    /// Whether there is something to handle.
+    #[cfg(feature = "window")]
+    pub(crate) const fn has_sent(&self) -> bool {
+        !self.sent.is_empty()
+    }
+
+    /// Memory for a picture.
+    fn blank(&self) -> Result<Vec<u32>, Error> {
+        let [width, height] = self.size;
+        let count = width as usize * height as usize;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).map_err(|_| {
+            let what = format!("not enough memory for {width}×{height} pixels: make it smaller");
+            Error::file(&self.settings.title, what)
+        })?;
+        pixels.resize(count, 0);
+        Ok(pixels)
     }
 
     /// Calls the start hook, the first time.
@@ -297,8 +341,9 @@ impl Application {
 
     fn handle(&mut self, program: &mut impl Program, event: &Event) {
         if let Event::Resize { size, scale } = *event {
-            self.size = size.map(|side| side.clamp(1, polosa_raster::MAX_SIDE));
+            self.size = possible(size);
             self.scale = scale;
+            self.wished = self.settings.size;
             self.follow_size();
         }
         if program.event(self, event) == Handled::Yes {
@@ -355,8 +400,13 @@ impl Application {
         self.painter.paint(world, camera, light, style, settings, pixels, *size)
     }
 
-    /// The camera's aspect is that of the picture, whatever a program has set it to.
+    /// The picture has the size that the settings ask for, unless a window has another, and the camera the picture's
+    /// aspect, whatever a program has set it to.
     fn follow_size(&mut self) {
+        if self.wished != self.settings.size && !self.has_window {
+            self.wished = self.settings.size;
+            self.size = possible(self.wished);
+        }
         let aspect = f64::from(self.size[0]) / f64::from(self.size[1]);
         if self.camera.aspect() != aspect {
             // A projection whose other angle would then reach 180° keeps its own, and the picture is stretched.
@@ -368,9 +418,14 @@ impl Application {
         Drawn {
             world: self.world.revision(),
             camera: self.camera,
-            light: self.light,
+            light: (
+                self.light.direction.to_array().map(f64::to_bits),
+                self.light.space,
+                self.light.ambient.to_bits(),
+            ),
             style: self.style,
-            settings: self.settings.clone(),
+            // It decides when a picture is drawn, not what is in it.
+            settings: Settings { frame_rate: 0.0, ..self.settings.clone() },
             size: self.size,
         }
     }
@@ -386,4 +441,9 @@ impl Application {
     pub(crate) const fn statistics_mut(&mut self) -> &mut Statistics {
         &mut self.statistics
     }
+}
+
+/// Both sides as a picture can have them.
+fn possible(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| side.clamp(1, polosa_raster::MAX_SIDE))
 }

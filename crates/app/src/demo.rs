@@ -16,7 +16,7 @@ use polosa_scene::{
     Projection, Renderer, Samples, Shape, Show, Style, World,
 };
 
-use crate::encode::{ImageFormat, write_picture};
+use crate::encode::{ImageFormat, save_picture};
 use crate::error::Error;
 use crate::output::Destination;
 
@@ -33,11 +33,7 @@ pub(crate) const BACKGROUND: Color = Color::new(0x16, 0x1b, 0x22);
 /// When it cannot be written.
 pub fn write(path: &Path) -> Result<PathBuf, Error> {
     let destination = Destination::File(path.to_owned());
-    destination.check()?;
-    let picture = picture(1280, 720, Samples::Sixteen)?;
-    let mut output = destination.create()?;
-    output.fill(|out| write_picture(out, ImageFormat::Png, &picture))?;
-    output.commit()?;
+    save_picture(&destination, ImageFormat::Png, || picture(1280, 720, Samples::Sixteen))?;
     Ok(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
 }
 

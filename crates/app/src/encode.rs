@@ -15,6 +15,9 @@ use image::codecs::{bmp, jpeg, pnm, qoi, tga};
 use image::{ExtendedColorType, ImageEncoder as _};
 use polosa_scene::Picture;
 
+use crate::error::Error;
+use crate::output::Destination;
+
 /// The quality of JPEG files, of 100: edges of flat areas stay clean at this one.
 const JPEG_QUALITY: u8 = 95;
 
@@ -105,6 +108,24 @@ impl ImageFormat {
     pub const fn is_lossless(self) -> bool {
         !matches!(self, Self::Jpeg)
     }
+}
+
+/// Makes a picture and writes it where it is to go: whole, or not at all. What would prevent the writing is found out
+/// before anything is drawn.
+///
+/// # Errors
+///
+/// What `make` returns, and [`Error::Write`].
+pub fn save_picture(
+    to: &Destination,
+    format: ImageFormat,
+    make: impl FnOnce() -> Result<Picture, Error>,
+) -> Result<(), Error> {
+    to.check()?;
+    let picture = make()?;
+    let mut output = to.create()?;
+    output.fill(|out| write_picture(out, format, &picture))?;
+    output.commit()
 }
 
 /// Writes a picture's colours, with its alpha channel if it has one and the format too.

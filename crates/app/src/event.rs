@@ -132,6 +132,8 @@ impl Modifiers {
     pub const SHIFT: Self = Self { shift: true, ..Self::NONE };
     /// Control alone.
     pub const CONTROL: Self = Self { control: true, ..Self::NONE };
+    /// Alt alone.
+    pub const ALT: Self = Self { alt: true, ..Self::NONE };
 }
 
 /// What a program says of an event that it was told of.

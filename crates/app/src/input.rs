@@ -60,7 +60,7 @@ impl Input {
         match *event {
             Event::Key { key, pressed, repeat } => {
                 hold(&mut self.keys, key, pressed);
-                if pressed && !repeat {
+                if pressed && !repeat && !self.struck[1].contains(&key) {
                     self.struck[1].push(key);
                 }
             }
@@ -85,7 +85,7 @@ impl Input {
     }
 
     /// A step begins: what was struck before belongs to it.
-    pub(crate) fn step(&mut self) {
+    pub fn step(&mut self) {
         self.struck[0] = std::mem::take(&mut self.struck[1]);
     }
 

@@ -1,6 +1,8 @@
 //! 3D pictures without a GPU: exact, and the same bytes on every machine.
 //!
-//! This is the library of the program `polosa`: pictures as files ([`encode`], [`pfm`], [`output`]), read back
+//! This is the library of the program `polosa`: an [`Application`], a window with 3D in it or the same without one, and
+//! what it is made of ([`event`], [`input`], [`controls`], [`canvas`], [`record`]); a [`viewer`] of [models](model);
+//! pictures as files ([`encode`], [`pfm`], [`output`]), read back
 //! ([`decode`]) and held against each other ([`compare`]), and the [command line](cli) itself. What draws is in the
 //! layers below, which are re-exported so that one dependency is enough: [`scene`] (meshes, importers, world,
 //! camera), [`raster`] (triangles into slices), [`math`].

@@ -227,7 +227,7 @@ pub(crate) fn followed(path: &Path) -> io::Result<PathBuf> {
 const MOST_LINKS: usize = 40;
 
 /// The folder that a file is in.
-fn folder(path: &Path) -> &Path {
+pub(crate) fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

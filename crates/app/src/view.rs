@@ -21,10 +21,10 @@ use polosa_scene::{Camera, CameraError, FieldOfView, Projection};
 pub use self::turntable::Turntable;
 
 /// From the model's middle to the observer, with +Y upward.
-const TO_EYE: DVec3 = DVec3::new(1.0, 0.7, 1.0);
+pub(crate) const TO_EYE: DVec3 = DVec3::new(1.0, 0.7, 1.0);
 
 /// The part of the picture that stays free on every side of a fitted model.
-const MARGIN: f64 = 0.05;
+pub(crate) const MARGIN: f64 = 0.05;
 
 /// Which axis of the world points upward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

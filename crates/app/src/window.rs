@@ -90,7 +90,8 @@ fn refused(what: &str) -> Error {
 fn with_advice(reason: &str) -> String {
     if reason.contains("xlib") {
         // It does not say which.
-        "libX11, libX11-xcb, libXcursor or libXi, or what they need, cannot be loaded: install them".to_owned()
+        "libX11, libX11-xcb, libXcursor or libXi, or what they need, cannot be loaded: install them"
+            .to_owned()
     } else if reason.starts_with("Library ") {
         format!("{reason}: install it")
     } else {
@@ -126,6 +127,7 @@ impl Application {
         let ended = window.event_loop.run_app_on_demand(&mut shell);
         let failed = shell.failed.take();
         self.waker().forget();
+        self.has_window = false;
         self.window = Some(window);
         self.end();
         let recorded = self.complete_recording();
@@ -206,6 +208,7 @@ impl Application {
         if failed.is_some() || self.is_quitting() {
             // Once more, for the system to hear of it.
             let _ = window.pump(self, program, Duration::ZERO, Own::Ends);
+            self.has_window = false;
             recorded = self.complete_recording();
         }
         self.window = Some(window);
@@ -352,6 +355,7 @@ impl<P: Program> Shell<'_, P> {
             animated: false,
             wished,
         });
+        self.app.has_window = true;
         self.app.feed(self.program, &Event::Resize { size, scale }, Duration::ZERO);
         self.app.begin(self.program);
         Ok(())

@@ -55,7 +55,8 @@ fn without_a_window_drawing_fails_is_logged_once_and_everything_else_goes_on() {
         let cube = app.world.add(Object::new(mesh)).unwrap();
         let error = app.run(&mut ()).unwrap_err();
         assert!(matches!(error, Error::Window(_)), "{error}");
-        assert!(app.update().is_err(), "the next frame fails, too");
+        let again = app.update().unwrap_err();
+        assert_eq!(again.to_string(), error.to_string(), "the next frame fails for the same reason");
 
         let logged = log.0.lock().unwrap().clone();
         assert_eq!(logged.len(), 2, "{logged:?}");
@@ -83,6 +84,26 @@ fn a_window_without_pixels_or_rate_is_the_programmers_mistake() {
     assert!(refused(Settings { frame_rate: 0.0, ..Settings::default() }));
     assert!(refused(Settings { frame_rate: f64::NAN, ..Settings::default() }));
     assert!(!refused(Settings { frame_rate: f64::INFINITY, ..Settings::default() }));
+}
+
+#[test]
+fn settings_may_change_at_any_time_and_slow_rates_keep_their_step() {
+    let settings = Settings { size: [8, 6], frame_rate: 2.0, ..Settings::default() };
+    let mut app = Application::with(settings);
+    app.settings.size = [4, 3];
+    let (mut steps, mut sizes) = (Vec::new(), Vec::new());
+    let mut program = |app: &mut Application, step: std::time::Duration| {
+        steps.push(step.as_millis());
+        app.settings.size = [10, 5 + steps.len() as u32];
+    };
+    app.run_headless(2, &mut program, |_, picture| {
+        sizes.push([picture.width, picture.height]);
+        Ok(())
+    })
+    .unwrap();
+    assert_eq!((steps, sizes), (vec![500; 2], vec![[10, 6], [10, 7]]));
+    app.settings.frame_rate = 1e-300;
+    app.run_headless(1, &mut (), |_, _| Ok(())).unwrap();
 }
 
 #[test]

@@ -149,6 +149,12 @@ impl World {
         self.meshes.get(key).map(|stored| stored.outline.get_or_init(|| Outline::of(&stored.mesh)))
     }
 
+    /// Finds out now, for all meshes, what drawing their edges needs; else the first frame that shows them does, which
+    /// then takes that much longer.
+    pub fn prepare_edges(&self) {
+        self.meshes.keys().for_each(|key| _ = self.outline(key));
+    }
+
     /// The balls inside a mesh, behind which it hides itself; found out when they are first asked for, which takes
     /// about as long as drawing the mesh some tens of times. From then on
     /// [`Renderer::frame`](crate::Renderer::frame) leaves out what they hide, which changes no pixel.

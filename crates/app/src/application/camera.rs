@@ -12,12 +12,7 @@ use crate::event::Event;
 use crate::input::Input;
 use crate::model::points;
 use crate::settings::Navigate;
-
-/// From the world's middle to the observer, with +Y upward: from the front right, and from above.
-const TO_EYE: DVec3 = DVec3::new(1.0, 0.7, 1.0);
-
-/// The part of the picture that stays free on every side of a framed world.
-const MARGIN: f64 = 0.05;
+use crate::view::{MARGIN, TO_EYE};
 
 /// # Moving the camera
 ///
@@ -83,6 +78,21 @@ impl Application {
     /// Goes towards the pivot, as so many notches of the wheel do.
     pub fn dolly(&mut self, notches: f64) {
         self.navigate(|navigation, _, _, stage| navigation.dolly(stage, notches));
+    }
+
+    /// Moves camera and pivot so that the pivot goes so many pixels to the right and down.
+    pub fn pan_by(&mut self, pixels: [f64; 2]) {
+        self.navigate(|navigation, _, _, stage| navigation.pan_by(stage, pixels));
+    }
+
+    /// Moves the light round what is seen: by so many radians to the right, and upward.
+    pub fn light_by(&mut self, right: f64, upward: f64) {
+        self.navigate(|_, _, _, stage| Navigation::light_by(stage, right, upward));
+    }
+
+    /// Has near and far plane fit the world: for programs that change it, and leave the camera where it is.
+    pub fn fit_depth(&mut self) {
+        self.navigate(|navigation, _, _, stage| navigation.settle(stage));
     }
 
     /// The surface that is seen at a place of the picture, in pixels.

@@ -8,7 +8,7 @@ use polosa_scene::Picture;
 use super::Application;
 use crate::error::Error;
 use crate::program::Program;
-use crate::record::{self, MOST_FPS, Options, Recorder};
+use crate::record::{self, Options, Recorder};
 
 /// A recording that goes on.
 #[derive(Debug)]
@@ -24,8 +24,7 @@ impl Application {
     /// Records every frame that is drawn from now on, with what is drawn over it in 2D, to `OUT.gif` or to a numbered
     /// sequence such as `OUT_%04d.png`: see [`record`].
     ///
-    /// Without a window each frame lasts as long as the frame rate says, the one at this moment (where
-    /// that is infinite, 1/50 s). In a window frames are
+    /// Without a window each frame lasts as long as the frame rate says, the one at this moment. In a window frames are
     /// recorded at the times at which they are shown: while nothing changes, the animation stands still as well. A
     /// sequence has a file for each frame that was drawn.
     ///
@@ -36,9 +35,10 @@ impl Application {
     /// As [`record::to`]: a name that is none, a folder that is not there. As
     /// [`stop_recording`](Self::stop_recording), if a recording goes on.
     pub fn record(&mut self, path: impl AsRef<Path>) -> Result<(), Error> {
-        self.stop_recording()?;
-        let period = self.period().as_secs_f64();
-        let fps = if period > 0.0 { 1.0 / period } else { MOST_FPS };
+        // What failed in a window has been logged; it is over.
+        self.record_failed = None;
+        self.complete_recording()?;
+        let fps = 1.0 / self.exact_step().as_secs_f64();
         let recorder = record::to(path, Options { fps, threads: self.settings.threads })?;
         self.recording = Some(Recording { recorder, first: None });
         Ok(())

@@ -39,19 +39,35 @@ use crate::guard;
 
 /// 3D pictures without a GPU: exact, and the same bytes on every machine.
 ///
-/// Without a command: shows models in a window, or a built-in scene; where no window can be opened, that scene goes to
-/// polosa.png in the current folder.
+#[cfg_attr(
+    feature = "window",
+    doc = "`polosa MODEL...` is `polosa view MODEL...`. Without arguments: a built-in scene, in a window, or where none can be opened in the file polosa.png in the current folder."
+)]
+#[cfg_attr(
+    not(feature = "window"),
+    doc = "Without arguments: draws a built-in scene to polosa.png in the current folder. This build has no windows."
+)]
 #[derive(Debug, Parser)]
-#[command(name = "polosa", version, after_help = EXAMPLES)]
+#[command(name = "polosa", version, after_help = format!("Examples:{WINDOWS}{EXAMPLES}"), override_usage = USAGE)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
 }
 
-const EXAMPLES: &str = "\
-Examples:
+#[cfg(feature = "window")]
+const USAGE: &str = "polosa [MODEL]... [OPTIONS OF view]\n       polosa COMMAND [OPTIONS]";
+#[cfg(not(feature = "window"))]
+const USAGE: &str = "polosa [COMMAND [OPTIONS]]";
+
+#[cfg(feature = "window")]
+const WINDOWS: &str = "
   polosa                                    a built-in scene in a window
-  polosa bunny.obj                          a model in a window; H shows the keys
+  polosa bunny.obj                          a model in a window; H shows the keys";
+#[cfg(not(feature = "window"))]
+const WINDOWS: &str = "
+  polosa                                    a built-in scene, to ./polosa.png";
+
+const EXAMPLES: &str = "
   polosa render bunny.obj -o bunny.png      a model's picture
   polosa render shape:teapot -o teapot.png  a standard shape
   polosa turntable bunny.obj -o bunny.gif   a model that turns round once
@@ -84,7 +100,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     guard::silence_panics();
     let done = match cli.command {
         #[cfg(feature = "window")]
-        Some(Command::View(args)) => view::run(&args),
+        Some(Command::View(args)) => guard::caught(Path::new("the window"), || view::run(&args)),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Turntable(args)) => turntable::run(&args),
         Some(Command::Info(args)) => info::run(&args),
@@ -107,11 +123,12 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 /// Arguments that begin with a model are those of `view`. A word that is neither a file nor looks like one is left to
 /// clap, which knows what command it may have been meant for.
 fn with_command(mut args: Vec<OsString>) -> Vec<OsString> {
+    let told = ["-h", "--help", "-V", "--version"];
     let is_model = args.get(1).and_then(|first| first.to_str()).map_or(args.len() > 1, |first| {
         let is_command = <Cli as clap::CommandFactory>::command().find_subcommand(first).is_some();
         let looks_like_one =
             first == "-" || first.contains(['.', ':', '/', '\\']) || Path::new(first).exists();
-        !is_command && first != "help" && (first == "-" || !first.starts_with('-')) && looks_like_one
+        !is_command && first != "help" && !told.contains(&first) && (first.starts_with('-') || looks_like_one)
     });
     if is_model && cfg!(feature = "window") {
         args.insert(1, "view".into());

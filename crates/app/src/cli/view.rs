@@ -1,23 +1,24 @@
 //! `polosa view`: models in a window.
 
+use std::io::IsTerminal as _;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Args;
-use polosa_scene::import;
+use polosa_scene::{Light, import};
 use serde_json::json;
 
 use super::args::{Background, ModelArg, OutputArg};
 use super::view_args::{self, ViewArgs};
-use super::{complain, job, tell};
+use super::{complain, job, models, tell};
 use crate::application::{Application, Statistics};
 use crate::demo;
-use crate::encode::write_picture;
+use crate::encode::save_picture;
 use crate::error::Error;
-use crate::guard::caught;
 use crate::output::Destination;
 use crate::settings::{Navigate, Settings};
+use crate::view::View;
 use crate::viewer::{Options, Viewer};
 
 /// The most frames a second. Events come faster than a screen shows frames; what is drawn between two of its pictures
@@ -79,6 +80,7 @@ const EXAMPLES: &str = "  polosa view bunny.obj
 pub(super) fn run(args: &WindowArgs) -> Result<ExitCode, Error> {
     args.view.check()?;
     ModelArg::check_stdin(&args.models)?;
+    job::format("--output", &args.output)?;
     let (mut app, mut viewer) = prepare(args)?;
     // What is not there needs no window.
     for model in &args.models {
@@ -122,6 +124,14 @@ fn prepare(args: &WindowArgs) -> Result<(Application, Viewer), Error> {
             ));
         }
     };
+    let (view, up) = args.view.view_and_up();
+    if args.models.is_empty() && (view != View::default() || args.view.light() != Light::default()) {
+        return Err(Error::Usage(
+            "the built-in scene has a view and a light of its own: name a model, or leave out the options about camera \
+             and light"
+                .to_owned(),
+        ));
+    }
     let mut app = Application::with(Settings {
         title: "polosa".to_owned(),
         size: [settings.width, settings.height],
@@ -133,7 +143,6 @@ fn prepare(args: &WindowArgs) -> Result<(Application, Viewer), Error> {
         ..Settings::default()
     });
     (app.light, app.style) = (args.view.light(), args.view.style());
-    let (view, up) = args.view.view_and_up();
     let options = Options {
         view,
         up,
@@ -149,15 +158,22 @@ fn prepare(args: &WindowArgs) -> Result<(Application, Viewer), Error> {
 /// The picture that the window would have shown at first, to a file.
 fn without_window(args: &WindowArgs, mut app: Application, mut viewer: Viewer) -> Result<ExitCode, Error> {
     let format = job::format("--output", &args.output)?;
+    if args.output.is_stdout() && std::io::stdout().is_terminal() {
+        return Err(Error::Usage(
+            "standard output is a terminal: name a file, or let a program read it".to_owned(),
+        ));
+    }
     let destination = args.output.with_stem(&args.models.first().map(ModelArg::stem).unwrap_or_default());
-    caught(destination.name(), || {
-        destination.check()?;
+    let settings = args.view.settings(destination.name())?;
+    save_picture(&destination, format, || {
+        models::reserve(&settings, 4, 0, destination.name())?;
         viewer.load_now(&mut app)?;
-        let picture = app.picture()?;
-        let mut output = destination.create()?;
-        output.fill(|out| write_picture(out, format, &picture))?;
-        output.commit()
+        app.picture()
     })?;
+    if args.stats || args.json || args.axis {
+        let what = "without a window there are no times to report, and nothing is drawn over the picture";
+        models::note(&destination.name().to_string_lossy(), what);
+    }
     if destination != Destination::Stdout {
         let path = destination.name();
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());

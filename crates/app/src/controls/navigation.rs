@@ -248,7 +248,27 @@ impl Navigation {
         seen.or_else(|| zoom::on_plane(stage.camera, stage.size, at, self.pivot, &bounds))
     }
 
-    fn settle(&mut self, stage: &mut Stage<'_>) {
+    /// Moves camera and pivot so that the pivot goes so many pixels to the right and down in the picture.
+    pub fn pan_by(&mut self, stage: &mut Stage<'_>, pixels: [f64; 2]) {
+        let [width, height] = stage.size;
+        let Some(seen) = stage.camera.project_point(self.pivot, width, height) else { return };
+        let to = [seen.x + pixels[0], seen.y + pixels[1]];
+        if is_place(to)
+            && let Ok(by) = zoom::pan(stage.camera, stage.size, self.pivot, to)
+        {
+            self.set_pivot(self.pivot + by);
+            self.settle(stage);
+        }
+    }
+
+    /// Moves the light round what is seen: by so many radians to the right, and upward.
+    pub fn light_by(stage: &mut Stage<'_>, right: f64, upward: f64) {
+        if right.is_finite() && upward.is_finite() {
+            orbit::turn_light(stage.light, stage.camera, [right, upward]);
+        }
+    }
+
+    pub(crate) fn settle(&mut self, stage: &mut Stage<'_>) {
         // A projection that refuses its planes keeps those it has.
         let _ = zoom::fit_depth(stage.camera, &self.bounds(stage.world));
     }

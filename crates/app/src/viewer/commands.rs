@@ -13,21 +13,21 @@ use polosa_scene::{FieldOfView, LightSpace, Object, Projection, Shading, Show};
 use super::keys::{Command, Mode};
 use super::{Home, Viewer, grid};
 use crate::application::Application;
-use crate::encode::{ImageFormat, write_picture};
+use crate::encode::{ImageFormat, save_picture};
 use crate::error::Error;
 use crate::model::{Model, points};
 use crate::output::Destination;
 use crate::settings::{Look, Navigate};
-use crate::view;
+use crate::view::MARGIN;
 
 /// How far one press of an arrow turns, in radians.
 const STEP: f64 = core::f64::consts::PI / 36.0;
 
+/// How far one press of an arrow pans, as a share of the picture's height.
+const PAN: f64 = 0.05;
+
 /// How fast the turntable turns, in radians a second: once round in eight seconds.
 const TURNTABLE: f64 = core::f64::consts::TAU / 8.0;
-
-/// The free part of the picture on every side of a model that is looked at from one of the named directions.
-const MARGIN: f64 = 0.05;
 
 /// The colour of the grid.
 const GRID: polosa_scene::Color = polosa_scene::Color::new(0x60, 0x66, 0x6e);
@@ -37,7 +37,10 @@ const MOST_SCREENSHOTS: u32 = 9999;
 
 /// Whether a command is done again and again while its key is held.
 pub(super) const fn repeats(command: Command) -> bool {
-    matches!(command, Command::Turn(..) | Command::Orbit(..) | Command::Zoom(_))
+    matches!(
+        command,
+        Command::Turn(..) | Command::Orbit(..) | Command::Zoom(_) | Command::Pan(..) | Command::MoveLight(..)
+    )
 }
 
 impl Viewer {
@@ -97,12 +100,22 @@ impl Viewer {
                 let [heading, pitch] = [right, -up].map(|steps| f64::from(steps) * STEP);
                 app.orbit_by(heading, pitch);
             }
-            Command::Zoom(notches) => {
-                app.dolly(f64::from(notches));
+            Command::Zoom(notches) => app.dolly(f64::from(notches)),
+            Command::Pan(right, up) => {
+                let step = f64::from(app.size()[1]) * PAN;
+                app.pan_by([f64::from(right) * step, f64::from(-up) * step]);
+            }
+            Command::MoveLight(right, up) => app.light_by(f64::from(right) * STEP, f64::from(up) * STEP),
+            Command::Pivot => {
+                let middle = app.size().map(|side| f64::from(side) / 2.0);
+                match app.pick(middle) {
+                    Some(hit) => app.set_pivot(hit.point),
+                    None => self.say(app, "there is nothing in the middle of the picture"),
+                }
             }
             Command::Fly => match self.mode {
                 Mode::Orbit => {
-                    self.mode = Mode::Fly;
+                    (self.mode, self.turntable) = (Mode::Fly, false);
                     self.navigation = core::mem::replace(&mut app.settings.navigation, Navigate::Fly);
                     self.say(app, "fly: W A S D, Q down, E up, drag to look; Tab or Esc leaves");
                 }
@@ -157,13 +170,11 @@ impl Viewer {
             _ => return,
         };
         let moved = camera.position() - camera.direction() * back;
-        let bounds = app.world.bounds();
-        let changed = camera
-            .set_projection(projection)
-            .and_then(|()| camera.set_position(moved))
-            .and_then(|()| view::set_depth(&mut camera, &bounds));
-        match changed {
-            Ok(()) => app.camera = camera,
+        match camera.set_projection(projection).and_then(|()| camera.set_position(moved)) {
+            Ok(()) => {
+                app.camera = camera;
+                app.fit_depth();
+            }
             Err(error) => self.complain(app, error.to_string()),
         }
     }
@@ -248,7 +259,7 @@ impl Viewer {
     /// Turns the model about its middle: to the right about the upward axis, upward about the picture's right.
     fn turn(&mut self, app: &mut Application, right: i8, up: i8) {
         let Some(home) = &self.home else { return };
-        let Some(middle) = self.bounds(app).center() else { return };
+        let middle = home.middle;
         let about_up = axis_angle(home.up.axis(), f64::from(right) * STEP);
         let about_right = axis_angle(app.camera.right(), -f64::from(up) * STEP);
         let (Some(about_up), Some(about_right)) = (about_up, about_right) else { return };
@@ -258,6 +269,7 @@ impl Viewer {
         for key in keys {
             let _ = app.world.turn_about(key, by, middle);
         }
+        app.fit_depth();
     }
 
     /// Makes the grid, or takes it away, as is wanted.
@@ -273,6 +285,7 @@ impl Viewer {
         if let Ok(mesh) = grid::grid(&bounds, home.up) {
             let mesh = app.world.add_mesh(mesh);
             self.grid = app.world.add(Object::new(mesh).shown(Show::Wire).colored(GRID)).ok();
+            app.fit_depth();
         }
     }
 
@@ -282,7 +295,7 @@ impl Viewer {
         } else if self.loader.is_running() {
             self.say(app, "it is being read already");
         } else {
-            self.load(app, true);
+            self.load(app);
         }
     }
 
@@ -316,11 +329,6 @@ fn save(app: &mut Application) -> Result<PathBuf, Error> {
     let Some(path) = free else {
         return Err(Error::file("polosa-9999.png", "all names for screenshots are taken: move some away"));
     };
-    let destination = Destination::File(path);
-    destination.check()?;
-    let picture = app.picture()?;
-    let mut output = destination.create()?;
-    output.fill(|out| write_picture(out, ImageFormat::Png, &picture))?;
-    output.commit()?;
-    Ok(destination.name().to_owned())
+    save_picture(&Destination::File(path.clone()), ImageFormat::Png, || app.picture())?;
+    Ok(path)
 }

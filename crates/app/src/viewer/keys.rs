@@ -65,6 +65,12 @@ pub enum Command {
     Orbit(i8, i8),
     /// Nearer, or farther away.
     Zoom(i8),
+    /// Moves what is seen: steps to the right, steps upward.
+    Pan(i8, i8),
+    /// Moves the light round the model: steps to the right, steps upward.
+    MoveLight(i8, i8),
+    /// The point in the middle of the picture becomes the pivot.
+    Pivot,
     /// To the other mode.
     Fly,
     /// The end.
@@ -108,7 +114,7 @@ pub const BINDINGS: &[Binding] = &[
     bind(Some(Mode::Orbit), Key::Char('7'), Modifiers::NONE, Command::Top),
     bind(Some(Mode::Orbit), Key::Char('9'), Modifiers::NONE, Command::Isometric),
     orbit('5', Command::Parallel, "5", "perspective or parallel"),
-    bind(None, Key::Enter, Modifiers::NONE, Command::Reset).told("Enter", "as at first"),
+    bind(None, Key::Enter, Modifiers::NONE, Command::Reset).told("Enter", "camera, model as at first"),
     orbit('e', Command::Edges, "E", "edges: over faces, alone"),
     orbit('g', Command::Grid, "G", "grid"),
     orbit('x', Command::Axes, "X", "axes"),
@@ -132,6 +138,15 @@ pub const BINDINGS: &[Binding] = &[
     bind(None, Key::Right, Modifiers::SHIFT, Command::Orbit(1, 0)),
     bind(None, Key::Up, Modifiers::SHIFT, Command::Orbit(0, 1)),
     bind(None, Key::Down, Modifiers::SHIFT, Command::Orbit(0, -1)),
+    bind(None, Key::Left, Modifiers::CONTROL, Command::Pan(-1, 0)).told("Ctrl+arrows", "pan"),
+    bind(None, Key::Right, Modifiers::CONTROL, Command::Pan(1, 0)),
+    bind(None, Key::Up, Modifiers::CONTROL, Command::Pan(0, 1)),
+    bind(None, Key::Down, Modifiers::CONTROL, Command::Pan(0, -1)),
+    bind(None, Key::Left, Modifiers::ALT, Command::MoveLight(-1, 0)).told("Alt+arrows", "move the light"),
+    bind(None, Key::Right, Modifiers::ALT, Command::MoveLight(1, 0)),
+    bind(None, Key::Up, Modifiers::ALT, Command::MoveLight(0, 1)),
+    bind(None, Key::Down, Modifiers::ALT, Command::MoveLight(0, -1)),
+    bind(None, Key::Home, Modifiers::NONE, Command::Pivot).told("Home", "pivot in the middle"),
     bind(None, Key::PageUp, Modifiers::NONE, Command::Zoom(1)).told("PgUp PgDn", "nearer, farther"),
     bind(None, Key::PageDown, Modifiers::NONE, Command::Zoom(-1)),
     bind(None, Key::Tab, Modifiers::NONE, Command::Fly).told("Tab", "fly: WASD, Q down, E up"),
@@ -152,6 +167,9 @@ pub const MOUSE: &[[&str; 2]] = &[
 /// What a key means in a mode.
 #[must_use]
 pub fn command(mode: Mode, key: Key, modifiers: Modifiers) -> Option<Command> {
+    // Whether a sign is had with Shift is the keyboard's affair: on a French one all digits are.
+    let shift = modifiers.shift && !matches!(key, Key::Char(sign) if !sign.is_ascii_alphabetic());
+    let modifiers = Modifiers { shift, ..modifiers };
     let meant = |binding: &&Binding| {
         binding.mode.is_none_or(|only| only == mode) && binding.key == key && binding.modifiers == modifiers
     };
@@ -182,6 +200,14 @@ mod tests {
             }
         }
         assert_eq!(command(Mode::Fly, Key::Char('q'), Modifiers::CONTROL), Some(Command::Quit));
+    }
+
+    #[test]
+    fn digits_count_whether_they_are_had_with_shift_or_without() {
+        for modifiers in [Modifiers::NONE, Modifiers::SHIFT] {
+            assert_eq!(command(Mode::Orbit, Key::Char('7'), modifiers), Some(Command::Top));
+        }
+        assert_eq!(command(Mode::Orbit, Key::Char('e'), Modifiers::SHIFT), None);
     }
 
     #[test]

@@ -29,6 +29,8 @@ pub(super) struct Loaded {
 #[derive(Debug, Default)]
 pub(super) struct Loader {
     running: Option<Running>,
+    /// What is read next, whatever becomes of what is being read: the last that was asked for.
+    next: Option<(Vec<Model>, Show, Waker)>,
 }
 
 #[derive(Debug)]
@@ -39,8 +41,13 @@ struct Running {
 }
 
 impl Loader {
-    /// Begins to read; without a model, makes the built-in scene. What is being read already is forgotten.
+    /// Begins to read; without a model, makes the built-in scene. What is being read already is read to its end, and
+    /// then forgotten.
     pub(super) fn start(&mut self, models: Vec<Model>, show: Show, waker: Waker) {
+        if self.running.is_some() {
+            self.next = Some((models, show, waker));
+            return;
+        }
         let (sender, result) = mpsc::channel();
         let stage = Arc::new(Mutex::new(String::new()));
         let told = Arc::clone(&stage);
@@ -52,7 +59,8 @@ impl Loader {
         };
         if let Err(error) = thread::Builder::new().name("load".to_owned()).spawn(work) {
             let (sender, failed) = mpsc::channel();
-            let _ = sender.send(Err(Error::Window(format!("no thread can be started to read it: {error}"))));
+            let what = format!("no thread can be started to read it: {error}: end other programs");
+            let _ = sender.send(Err(Error::file("the models", what)));
             self.running = Some(Running { result: failed, stage, since: Instant::now() });
             return;
         }
@@ -65,19 +73,23 @@ impl Loader {
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => {
                 self.running = None;
-                Some(Err(Error::Window("the reading was broken off by a defect of the program".to_owned())))
+                Some(Err(broken_off()))
             }
             Ok(result) => {
                 self.running = None;
-                Some(result)
+                let Some((models, show, waker)) = self.next.take() else { return Some(result) };
+                self.start(models, show, waker);
+                None
             }
         }
     }
 
     /// Waits until it is read.
     pub(super) fn wait(&mut self) -> Option<Result<Loaded, Error>> {
-        let running = self.running.take()?;
-        running.result.recv().ok()
+        let result = self.running.take()?.result.recv().ok();
+        let Some((models, show, waker)) = self.next.take() else { return result };
+        self.start(models, show, waker);
+        self.wait()
     }
 
     pub(super) const fn is_running(&self) -> bool {
@@ -90,6 +102,11 @@ impl Loader {
         let stage = running.stage.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Some((stage, running.since.elapsed().as_secs_f64()))
     }
+}
+
+/// That nobody will ever say what has been read.
+pub(super) fn broken_off() -> Error {
+    Error::file("the models", "the reading was broken off by a defect of the program: please report it")
 }
 
 fn load(models: &[Model], show: Show, now: &impl Fn(String)) -> Result<Loaded, Error> {
@@ -111,6 +128,9 @@ fn load(models: &[Model], show: Show, now: &impl Fn(String)) -> Result<Loaded, E
         notes.extend(source.notes.iter().map(|note| one_line(&format!("{name}: {note}"))));
         now(format!("preparing {name}{of}"));
         source.add_to(&mut world, show, &model.name())?;
+    }
+    if show != Show::Surface {
+        world.prepare_edges();
     }
     Ok(Loaded { world, up: common_up(&ups), notes, look: None })
 }

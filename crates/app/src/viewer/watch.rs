@@ -10,6 +10,7 @@ use notify::{RecommendedWatcher, RecursiveMode, Watcher as _};
 
 use crate::application::Waker;
 use crate::error::Error;
+use crate::output::{folder, followed};
 
 /// Watches the folders of files. Editors write a new file and rename it, so that watching the file itself would watch
 /// the old one for ever.
@@ -30,16 +31,24 @@ impl Watch {
         let failed = |file: &Path, error: notify::Error| {
             Error::file(file, format!("cannot be watched: {error}: reload it with Ctrl+R"))
         };
+        // Of a link both are watched, it and what it leads to.
+        let targets = files.iter().filter_map(|file| followed(file).ok());
+        let files: Vec<PathBuf> = files.iter().cloned().chain(targets).collect();
         let names: Vec<OsString> = files.iter().filter_map(|file| file.file_name()).map(Into::into).collect();
         let changed = Arc::new(AtomicBool::new(false));
         let tell = Arc::clone(&changed);
-        // A material file beside the model counts, too; what else happens in the folder does not.
+        // Files beside a model that it is made of count, too; what else happens in the folder does not.
         let ours = move |path: &PathBuf| {
             path.file_name().is_some_and(|name| names.iter().any(|ours| ours == name))
-                || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("mtl"))
+                || path.extension().is_some_and(|extension| {
+                    ["mtl", "bin"].iter().any(|side| extension.eq_ignore_ascii_case(side))
+                })
         };
         let on_event = move |event: notify::Result<notify::Event>| {
-            if event.is_ok_and(|event| !event.kind.is_access() && event.paths.iter().any(&ours)) {
+            // Who has lost events, or does not know what was changed, may have lost ours.
+            if event.map_or(true, |event| {
+                event.need_rescan() || !event.kind.is_access() && event.paths.iter().any(&ours)
+            }) {
                 tell.store(true, Ordering::Release);
                 waker.wake();
             }
@@ -48,12 +57,9 @@ impl Watch {
         let mut watcher = notify::recommended_watcher(on_event).map_err(|error| failed(&first, error))?;
         let mut watched = Vec::new();
         for file in &files {
-            let folder = match file.parent() {
-                Some(folder) if !folder.as_os_str().is_empty() => folder,
-                _ => Path::new("."),
-            };
+            let folder = folder(file).to_owned();
             if !watched.contains(&folder) {
-                watcher.watch(folder, RecursiveMode::NonRecursive).map_err(|error| failed(file, error))?;
+                watcher.watch(&folder, RecursiveMode::NonRecursive).map_err(|error| failed(file, error))?;
                 watched.push(folder);
             }
         }

@@ -10,9 +10,12 @@ use crate::event::{Button, Event, Key, Modifiers};
 const PIXELS_PER_NOTCH: f64 = 50.0;
 
 /// Where the pointer is: winit tells it only when it moves.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Pointer {
     at: [f64; 2],
+    /// Keys that are down, and what they counted as when they went down: with other modifiers they may be other signs
+    /// when they come up.
+    down: Vec<(PhysicalKey, Key)>,
     /// Whether what the wheel does next is that its button comes up.
     echo: bool,
 }
@@ -27,6 +30,18 @@ impl Pointer {
             && cfg!(all(unix, not(target_os = "macos")))
         {
             self.echo = (4..=7).contains(&button) && state == ElementState::Released;
+        }
+    }
+
+    /// What a key counts as that goes down, or comes up again.
+    fn counted(&mut self, physical: PhysicalKey, key: Key, pressed: bool) -> Key {
+        let before = self.down.iter().position(|(place, _)| *place == physical);
+        let before = before.map(|place| self.down.swap_remove(place).1);
+        if pressed {
+            self.down.push((physical, key));
+            key
+        } else {
+            before.unwrap_or(key)
         }
     }
 
@@ -62,11 +77,14 @@ impl Pointer {
             WindowEvent::KeyboardInput { is_synthetic: true, event, .. } if event.state.is_pressed() => {
                 return None;
             }
-            WindowEvent::KeyboardInput { event, .. } => Event::Key {
-                key: key(&event.logical_key, event.physical_key),
-                pressed: event.state.is_pressed(),
-                repeat: event.repeat,
-            },
+            WindowEvent::KeyboardInput { event, .. } => {
+                let (key, pressed) = (key(&event.logical_key, event.physical_key), event.state.is_pressed());
+                Event::Key {
+                    key: self.counted(event.physical_key, key, pressed),
+                    pressed,
+                    repeat: event.repeat,
+                }
+            }
             WindowEvent::ModifiersChanged(modifiers) => {
                 let state = modifiers.state();
                 let command = cfg!(target_os = "macos") && state.super_key();
@@ -177,8 +195,16 @@ fn in_place(physical: PhysicalKey) -> Key {
 mod tests {
     use winit::keyboard::{Key as OsKey, KeyCode, NamedKey, PhysicalKey};
 
-    use super::key;
+    use super::{Pointer, key};
     use crate::event::Key;
+
+    #[test]
+    fn what_went_down_comes_up_whatever_sign_it_is_by_then() {
+        let (mut pointer, one) = (Pointer::default(), PhysicalKey::Code(KeyCode::Digit1));
+        assert_eq!(pointer.counted(one, Key::Char('1'), true), Key::Char('1'));
+        assert_eq!(pointer.counted(one, Key::Char('!'), false), Key::Char('1'));
+        assert_eq!(pointer.counted(one, Key::Char('!'), false), Key::Char('!'), "it was not down");
+    }
 
     #[test]
     fn keys_are_named_by_their_sign_and_of_other_scripts_by_their_place() {

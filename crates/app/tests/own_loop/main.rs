@@ -128,7 +128,8 @@ mod claims {
         let Some(running) = Running::start("own-loop") else { return };
         running.shows("the last of the frames", &programs::headless());
         running.screen.resize([160, 200]);
-        running.shows("the last of the frames, in a window of another size", &programs::headless_of([160, 200]));
+        running
+            .shows("the last of the frames, in a window of another size", &programs::headless_of([160, 200]));
         running.screen.point([80, 100]);
         running.screen.button(1, true);
         running.screen.point([120, 110]);
