@@ -62,13 +62,15 @@ impl Screen {
         Self { connection, root, window: x11rb::NONE, keys }
     }
 
-    /// Waits for a window to be seen, gives it the keyboard, and has everything else be about it. There is no window
-    /// manager that would.
+    /// Waits for a window that something is drawn into, gives it the keyboard, and has everything else be about it. There
+    /// is no window manager that would.
     pub(crate) fn find(&mut self) {
         self.window = until("a window", || {
             let children = self.connection.query_tree(self.root).ok()?.reply().ok()?.children;
             children.into_iter().find(|&child| self.is_shown(child))
         });
+        // A window is seen before there is a picture in it. Black is what there is without one.
+        until("a picture", || (self.part([0, 0], [1, 1])?.pixels != [0]).then_some(()));
         let focus = self
             .connection
             .set_input_focus(InputFocus::PARENT, self.window, x11rb::CURRENT_TIME)
