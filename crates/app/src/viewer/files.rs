@@ -7,7 +7,7 @@ use std::time::Duration;
 use polosa_math::glam::DVec3;
 use polosa_scene::{Object, ObjectKey};
 
-use super::loader::{self, Loaded};
+use super::loader::{self, Aim, Loaded};
 #[cfg(feature = "window")]
 use super::watch;
 use super::{Home, Viewer};
@@ -26,7 +26,7 @@ impl Viewer {
     ///
     /// When one of them cannot be read.
     pub fn load_now(&mut self, app: &mut Application) -> Result<(), Error> {
-        self.loader.start(self.models.clone(), self.show, app.waker());
+        self.start(app);
         match self.loader.wait() {
             Some(Ok(loaded)) => self.install(app, loaded),
             Some(Err(error)) => Err(error),
@@ -37,16 +37,20 @@ impl Viewer {
     /// Begins to read the models. If they are on show already, the camera stays.
     pub(super) fn load(&mut self, app: &Application) {
         self.keeps_camera = self.shown.as_ref() == Some(&self.models);
-        self.loader.start(self.models.clone(), self.show, app.waker());
+        self.start(app);
+    }
+
+    fn start(&mut self, app: &Application) {
+        let aim = Aim { view: self.options.view, up: self.options.up, aspect: aspect(app) };
+        self.loader.start(self.models.clone(), self.show, aim, app.waker());
     }
 
     /// Shows what was read.
     fn install(&mut self, app: &mut Application, loaded: Loaded) -> Result<(), Error> {
-        let Loaded { world, up, notes, look } = loaded;
+        let Loaded { world, up, notes, look, framed } = loaded;
         let up = self.options.up.unwrap_or(up);
         let bounds = world.bounds();
-        let [width, height] = app.size();
-        let aspect = f64::from(width) / f64::from(height);
+        let aspect = aspect(app);
         let (camera, light) = match look {
             Some((mut camera, light)) => {
                 self.light.get_or_insert(app.light);
@@ -56,7 +60,10 @@ impl Viewer {
             }
             None => {
                 let view = View { up, ..self.options.view };
-                let camera = view.camera(points(&world), &bounds, aspect);
+                // The window may have got another size meanwhile.
+                let framed = framed.filter(|(_, before)| *before == aspect);
+                let camera = framed
+                    .map_or_else(|| view.camera(points(&world), &bounds, aspect), |(camera, _)| Ok(camera));
                 let name = self.name();
                 let light = *self.light.get_or_insert(app.light);
                 (camera.map_err(|error| Error::file(name, error.to_string()))?, light)
@@ -169,4 +176,10 @@ impl Viewer {
             }
         }
     }
+}
+
+/// Width / height of what is drawn into.
+fn aspect(app: &Application) -> f64 {
+    let [width, height] = app.size();
+    f64::from(width) / f64::from(height)
 }

@@ -10,8 +10,8 @@ use polosa_scene::{Camera, Light, Show, World};
 use crate::application::Waker;
 use crate::demo;
 use crate::error::{Error, one_line};
-use crate::model::{Model, Source, common_up};
-use crate::view::Up;
+use crate::model::{Model, Source, common_up, points};
+use crate::view::{Up, View};
 
 /// What was read.
 #[derive(Debug)]
@@ -23,6 +23,18 @@ pub(super) struct Loaded {
     pub(super) notes: Vec<String>,
     /// How the built-in scene is looked at.
     pub(super) look: Option<(Camera, Light)>,
+    /// The camera for the window that the load was begun for, if there can be one, and that window's aspect.
+    pub(super) framed: Option<(Camera, f64)>,
+}
+
+/// What the models are to be seen through: to look at every vertex takes milliseconds, which a window does not have.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aim {
+    /// From where. Its upward axis is that of the models unless `up` has one.
+    pub(super) view: View,
+    pub(super) up: Option<Up>,
+    /// Width / height of the window.
+    pub(super) aspect: f64,
 }
 
 /// Reads models, one load at a time.
@@ -30,7 +42,7 @@ pub(super) struct Loaded {
 pub(super) struct Loader {
     running: Option<Running>,
     /// What is read next, whatever becomes of what is being read: the last that was asked for.
-    next: Option<(Vec<Model>, Show, Waker)>,
+    next: Option<(Vec<Model>, Show, Aim, Waker)>,
 }
 
 #[derive(Debug)]
@@ -43,9 +55,9 @@ struct Running {
 impl Loader {
     /// Begins to read; without a model, makes the built-in scene. What is being read already is read to its end, and
     /// then forgotten.
-    pub(super) fn start(&mut self, models: Vec<Model>, show: Show, waker: Waker) {
+    pub(super) fn start(&mut self, models: Vec<Model>, show: Show, aim: Aim, waker: Waker) {
         if self.running.is_some() {
-            self.next = Some((models, show, waker));
+            self.next = Some((models, show, aim, waker));
             return;
         }
         let (sender, result) = mpsc::channel();
@@ -54,7 +66,7 @@ impl Loader {
         let now = move |what: String| *told.lock().unwrap_or_else(PoisonError::into_inner) = what;
         let work = move || {
             // Nobody waits for it any more where another load was begun.
-            let _ = sender.send(load(&models, show, &now));
+            let _ = sender.send(load(&models, show, aim, &now));
             waker.wake();
         };
         if let Err(error) = thread::Builder::new().name("load".to_owned()).spawn(work) {
@@ -77,8 +89,8 @@ impl Loader {
             }
             Ok(result) => {
                 self.running = None;
-                let Some((models, show, waker)) = self.next.take() else { return Some(result) };
-                self.start(models, show, waker);
+                let Some((models, show, aim, waker)) = self.next.take() else { return Some(result) };
+                self.start(models, show, aim, waker);
                 None
             }
         }
@@ -87,8 +99,8 @@ impl Loader {
     /// Waits until it is read.
     pub(super) fn wait(&mut self) -> Option<Result<Loaded, Error>> {
         let result = self.running.take()?.result.recv().ok();
-        let Some((models, show, waker)) = self.next.take() else { return result };
-        self.start(models, show, waker);
+        let Some((models, show, aim, waker)) = self.next.take() else { return result };
+        self.start(models, show, aim, waker);
         self.wait()
     }
 
@@ -109,12 +121,18 @@ pub(super) fn broken_off() -> Error {
     Error::file("the models", "the reading was broken off by a defect of the program: please report it")
 }
 
-fn load(models: &[Model], show: Show, now: &impl Fn(String)) -> Result<Loaded, Error> {
+fn load(models: &[Model], show: Show, aim: Aim, now: &impl Fn(String)) -> Result<Loaded, Error> {
     if models.is_empty() {
         let failed = |what: String| Error::file(demo::FILE, what);
         let world = demo::world().map_err(|error| failed(error.to_string()))?;
         let camera = demo::camera(16, 9).map_err(|error| failed(error.to_string()))?;
-        return Ok(Loaded { world, up: Up::PlusY, notes: Vec::new(), look: Some((camera, demo::light())) });
+        return Ok(Loaded {
+            world,
+            up: Up::PlusY,
+            notes: Vec::new(),
+            look: Some((camera, demo::light())),
+            framed: None,
+        });
     }
     let mut world = World::new();
     let (mut ups, mut notes) = (Vec::new(), Vec::new());
@@ -132,5 +150,10 @@ fn load(models: &[Model], show: Show, now: &impl Fn(String)) -> Result<Loaded, E
     if show != Show::Surface {
         world.prepare_edges();
     }
-    Ok(Loaded { world, up: common_up(&ups), notes, look: None })
+    let up = common_up(&ups);
+    let view = View { up: aim.up.unwrap_or(up), ..aim.view };
+    // Why there is none is told by whoever tries again.
+    let camera = view.camera(points(&world), &world.bounds(), aim.aspect).ok();
+    let framed = camera.map(|camera| (camera, aim.aspect));
+    Ok(Loaded { world, up, notes, look: None, framed })
 }
