@@ -19,9 +19,10 @@ mod waker;
 
 use std::time::{Duration, Instant};
 
-use polosa_scene::{Camera, Light, LightSpace, Picture, Revision, Style, World};
+use polosa_scene::{Camera, Light, LightSpace, Picture, Renderer, Revision, Style, World};
 
 use self::paint::Painter;
+pub(crate) use self::paint::new_renderer;
 use self::recording::Recording;
 pub use self::statistics::Statistics;
 pub use self::waker::Waker;
@@ -393,6 +394,11 @@ impl Application {
         }
         self.drawn = Some(self.now());
         Ok(stats)
+    }
+
+    /// Draws with another renderer from now on: one whose memory is warm.
+    pub(crate) fn adopt(&mut self, renderer: Renderer) {
+        self.painter.adopt(renderer);
     }
 
     fn paint(&mut self, pixels: &mut [u32]) -> Result<polosa_scene::DrawStats, Error> {

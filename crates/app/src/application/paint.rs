@@ -1,5 +1,7 @@
 //! A frame's 3D part, into pixels that somebody lends.
 
+use core::num::NonZeroUsize;
+
 use polosa_raster::{Depth, Target, TargetError};
 use polosa_scene::{Camera, DrawStats, Light, Picture, PictureSettings, Renderer, Samples, Style, World};
 
@@ -16,7 +18,16 @@ pub(super) struct Painter {
     depth: Vec<f32>,
 }
 
+/// A renderer for so many threads; `None`: as many as the machine runs at once.
+pub(crate) fn new_renderer(threads: Option<NonZeroUsize>) -> Renderer {
+    threads.map_or_else(Renderer::new, |threads| Renderer::with_threads(threads.get()))
+}
+
 impl Painter {
+    pub(super) fn adopt(&mut self, renderer: Renderer) {
+        self.renderer = Some(renderer);
+    }
+
     #[expect(clippy::too_many_arguments, reason = "all of an application that a picture follows from")]
     pub(super) fn paint(
         &mut self,
@@ -30,7 +41,7 @@ impl Painter {
     ) -> Result<DrawStats, Error> {
         let threads = settings.threads.map(|threads| threads.get().min(256));
         if self.renderer.as_ref().is_none_or(|renderer| threads.is_some_and(|t| t != renderer.threads())) {
-            self.renderer = Some(threads.map_or_else(Renderer::new, Renderer::with_threads));
+            self.renderer = Some(new_renderer(settings.threads));
         }
         let renderer = self.renderer.get_or_insert_default();
         let failed = |error: TargetError| Error::file(&settings.title, error.to_string());

@@ -41,13 +41,21 @@ impl Viewer {
     }
 
     fn start(&mut self, app: &Application) {
-        let aim = Aim { view: self.options.view, up: self.options.up, aspect: aspect(app) };
+        let aim = Aim {
+            view: self.options.view,
+            up: self.options.up,
+            size: app.size(),
+            threads: app.settings.threads,
+        };
         self.loader.start(self.models.clone(), self.show, aim, app.waker());
     }
 
     /// Shows what was read.
     fn install(&mut self, app: &mut Application, loaded: Loaded) -> Result<(), Error> {
-        let Loaded { world, up, notes, look, framed } = loaded;
+        let Loaded { world, up, notes, look, framed, warm } = loaded;
+        if let Some(renderer) = warm {
+            app.adopt(renderer);
+        }
         let up = self.options.up.unwrap_or(up);
         let bounds = world.bounds();
         let aspect = aspect(app);

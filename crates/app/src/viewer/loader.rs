@@ -1,13 +1,15 @@
 //! Models are read beside the window, which goes on showing what it has.
 
+use core::num::NonZeroUsize;
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 
-use polosa_scene::{Camera, Light, Show, World};
+use polosa_raster::{Depth, Target};
+use polosa_scene::{Camera, Light, Renderer, Show, Style, World};
 
-use crate::application::Waker;
+use crate::application::{Waker, new_renderer};
 use crate::demo;
 use crate::error::{Error, one_line};
 use crate::model::{Model, Source, common_up, points};
@@ -25,7 +27,13 @@ pub(super) struct Loaded {
     pub(super) look: Option<(Camera, Light)>,
     /// The camera for the window that the load was begun for, if there can be one, and that window's aspect.
     pub(super) framed: Option<(Camera, f64)>,
+    /// One that has drawn the models already, if they are large: the first picture, for which all memory is new, takes
+    /// twice as long as any other.
+    pub(super) warm: Option<Renderer>,
 }
+
+/// Models of fewer triangles are drawn at once, however cold the memory is.
+const LARGE: usize = 100_000;
 
 /// What the models are to be seen through: to look at every vertex takes milliseconds, which a window does not have.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +41,34 @@ pub(super) struct Aim {
     /// From where. Its upward axis is that of the models unless `up` has one.
     pub(super) view: View,
     pub(super) up: Option<Up>,
-    /// Width / height of the window.
-    pub(super) aspect: f64,
+    /// Width and height of the window.
+    pub(super) size: [u32; 2],
+    /// How many threads draw.
+    pub(super) threads: Option<NonZeroUsize>,
+}
+
+impl Aim {
+    /// Width / height.
+    pub(super) fn aspect(&self) -> f64 {
+        f64::from(self.size[0]) / f64::from(self.size[1])
+    }
+
+    /// A renderer that has drawn the world once, if it is large.
+    fn warm(&self, world: &World, camera: &Camera) -> Option<Renderer> {
+        let triangles = world.meshes().map(|(_, mesh)| mesh.triangles().len());
+        if triangles.sum::<usize>() < LARGE {
+            return None;
+        }
+        let mut renderer = new_renderer(self.threads);
+        let [width, height] = self.size;
+        let mut pixels = Vec::new();
+        let count = width as usize * height as usize;
+        pixels.try_reserve_exact(count).ok()?;
+        pixels.resize(count, 0);
+        let mut target = Target::new(&mut pixels, Depth::None, width, height, width as usize).ok()?;
+        renderer.frame(world, camera, &Light::default(), &Style::default(), None, &mut target).ok()?;
+        Some(renderer)
+    }
 }
 
 /// Reads models, one load at a time.
@@ -132,6 +166,7 @@ fn load(models: &[Model], show: Show, aim: Aim, now: &impl Fn(String)) -> Result
             notes: Vec::new(),
             look: Some((camera, demo::light())),
             framed: None,
+            warm: None,
         });
     }
     let mut world = World::new();
@@ -153,7 +188,8 @@ fn load(models: &[Model], show: Show, aim: Aim, now: &impl Fn(String)) -> Result
     let up = common_up(&ups);
     let view = View { up: aim.up.unwrap_or(up), ..aim.view };
     // Why there is none is told by whoever tries again.
-    let camera = view.camera(points(&world), &world.bounds(), aim.aspect).ok();
-    let framed = camera.map(|camera| (camera, aim.aspect));
-    Ok(Loaded { world, up, notes, look: None, framed })
+    let camera = view.camera(points(&world), &world.bounds(), aim.aspect()).ok();
+    let warm = camera.as_ref().and_then(|camera| aim.warm(&world, camera));
+    let framed = camera.map(|camera| (camera, aim.aspect()));
+    Ok(Loaded { world, up, notes, look: None, framed, warm })
 }
