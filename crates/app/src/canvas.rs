@@ -30,6 +30,7 @@ pub struct Canvas<'a> {
     pixels: &'a mut [u32],
     size: [u32; 2],
     scale: f64,
+    font: Option<&'static MonoFont<'static>>,
 }
 
 impl<'a> Canvas<'a> {
@@ -41,7 +42,7 @@ impl<'a> Canvas<'a> {
     #[must_use]
     pub fn new(pixels: &'a mut [u32], [width, height]: [u32; 2], scale: f64) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize, "pixels of a canvas of {width}×{height}");
-        Self { pixels, size: [width, height], scale }
+        Self { pixels, size: [width, height], scale, font: None }
     }
 
     /// Width and height in pixels.
@@ -68,14 +69,22 @@ impl<'a> Canvas<'a> {
         ((units * self.scale + 0.5) as i32).max(1)
     }
 
-    /// The font of overlays: of a size that suits the screen.
+    /// The font of overlays: of a size that suits the screen, unless another was [set](Self::set_font).
     #[must_use]
     pub fn font(&self) -> &'static MonoFont<'static> {
+        if let Some(font) = self.font {
+            return font;
+        }
         match self.scale {
             scale if scale < 1.25 => &iso_8859_1::FONT_7X13,
             scale if scale < 1.75 => &iso_8859_1::FONT_9X18,
             _ => &iso_8859_1::FONT_10X20,
         }
+    }
+
+    /// Writes in another font from now on; `None`: in the usual one.
+    pub const fn set_font(&mut self, font: Option<&'static MonoFont<'static>>) {
+        self.font = font;
     }
 
     /// Writes lines of text, the first one's upper left corner at `at`, in the font of overlays. Signs beyond

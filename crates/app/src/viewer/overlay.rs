@@ -2,10 +2,10 @@
 //!
 //! ```text
 //!   ┌──────────────────────────────┐
-//!   │ statistics      help         │
-//!   │                              │
-//!   │ axes          progress       │
-//!   │ message                      │
+//!   │ statistics                   │
+//!   │             help, progress   │
+//!   │ axes                         │
+//!   │             message          │
 //!   └──────────────────────────────┘
 //! ```
 
@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use embedded_graphics::Drawable as _;
 use embedded_graphics::geometry::Point;
+use embedded_graphics::mono_font::{MonoFont, ascii};
 use embedded_graphics::primitives::{Line, Primitive as _, PrimitiveStyle};
 use polosa_math::glam::DVec3;
 use polosa_scene::Color;
@@ -31,13 +32,16 @@ const BAR: Color = Color::new(0x5c, 0xb8, 0xa4);
 /// In units of the desktop: around texts, and between them and the border.
 const MARGIN: f64 = 6.0;
 
+/// What a slider along the lower edge takes, in units of the desktop.
+const SLIDER: f64 = 36.0;
+
 /// The length of an axis, in units of the desktop.
 const AXIS: f64 = 30.0;
 
 impl Viewer {
     pub(super) fn draw_over(&self, app: &Application, canvas: &mut Canvas<'_>) {
         if self.axes {
-            draw_axes(app, canvas);
+            draw_axes(app, canvas, self.lower(canvas));
         }
         if let Some(sliders) = &self.sliders {
             sliders.iter().for_each(|slider| slider.draw(canvas));
@@ -55,10 +59,17 @@ impl Viewer {
         if let Some(message) = &self.message {
             let color = if message.is_failure { FAILURE } else { TEXT };
             let text = wrapped(canvas, &message.text);
-            let [_, height] = canvas.text_size(&text);
-            let (margin, [_, lower]) = (canvas.pixels_of(MARGIN), canvas.dimensions());
-            boxed(canvas, [margin, lower as i32 - height - 3 * margin], &text, color);
+            let [width, height] = canvas.text_size(&text);
+            let (margin, [across, _]) = (canvas.pixels_of(MARGIN), canvas.dimensions());
+            let at = [(across as i32 - width) / 2 - margin, self.lower(canvas) - height - 3 * margin];
+            boxed(canvas, at, &text, color);
         }
+    }
+
+    /// The lower edge of what the sliders leave free.
+    fn lower(&self, canvas: &Canvas<'_>) -> i32 {
+        let sliders = if self.sliders.is_some() { canvas.pixels_of(SLIDER) } else { 0 };
+        canvas.dimensions()[1] as i32 - sliders
     }
 
     /// Times, counts, methods.
@@ -122,30 +133,55 @@ fn wrapped(canvas: &Canvas<'_>, text: &str) -> String {
     lines.join("\n")
 }
 
-/// All keys and the mouse, in as many columns as the height asks for.
+/// Fonts for help in windows where the usual one has no room.
+const SMALLER: [&MonoFont<'static>; 3] = [&ascii::FONT_6X10, &ascii::FONT_5X8, &ascii::FONT_4X6];
+
+/// All keys and the mouse, in as many columns as the height asks for, in the largest font that fits.
 fn draw_help(canvas: &mut Canvas<'_>) {
     let keys = BINDINGS.iter().filter_map(|binding| binding.help);
-    let lines: Vec<[&str; 2]> = MOUSE.iter().copied().chain([["", ""]]).chain(keys).collect();
-    let margin = canvas.pixels_of(MARGIN);
-    let [sign, row] = canvas.text_size("0");
+    let lines: Vec<[&'static str; 2]> = MOUSE.iter().copied().chain([["", ""]]).chain(keys).collect();
     let [width, height] = canvas.dimensions().map(|side| side as i32);
-    let rows = ((height - 4 * margin) / row.max(1)).clamp(1, lines.len() as i32);
-    let columns: Vec<_> = lines.chunks(rows as usize).collect();
-    let longest = |part: usize| lines.iter().map(|line| line[part].len()).max().unwrap_or(0) as i32;
-    let (names, abouts) = (longest(0) + 2, longest(1) + 2);
-    let column = (names + abouts) * sign;
-    let size = [column * columns.len() as i32 + margin, rows * row + 2 * margin];
-    let at = [(width - size[0]).max(0) / 2, (height - size[1]).max(0) / 2];
-    // Twice: over a bright picture, too, it can be read.
-    canvas.dim(at, size);
-    canvas.dim(at, size);
-    for (number, lines) in columns.into_iter().enumerate() {
-        let left = at[0] + margin + number as i32 * column;
-        for (line, [name, about]) in lines.iter().enumerate() {
-            let top = at[1] + margin + line as i32 * row;
-            canvas.text([left, top], name, TEXT);
-            canvas.text([left + names * sign, top], about, FAINT);
+    let margin = canvas.pixels_of(MARGIN);
+    for font in [canvas.font()].into_iter().chain(SMALLER) {
+        canvas.set_font(Some(font));
+        let [sign, row] = canvas.text_size("0");
+        let rows = ((height - 4 * margin) / row.max(1)).clamp(1, lines.len() as i32);
+        let columns: Vec<Column<'_>> = lines.chunks(rows as usize).map(Column::of).collect();
+        let signs: i32 = columns.iter().map(|column| column.names + column.abouts).sum();
+        let size = [signs * sign + 2 * margin, rows * row + 2 * margin];
+        if size[0] > width && font != SMALLER[2] {
+            continue;
         }
+        let at = [(width - size[0]).max(0) / 2, (height - size[1]).max(0) / 2];
+        // Twice: over a bright picture, too, it can be read.
+        canvas.dim(at, size);
+        canvas.dim(at, size);
+        let mut left = at[0] + margin;
+        for Column { lines, names, abouts } in columns {
+            for (line, [name, about]) in lines.iter().enumerate() {
+                let top = at[1] + margin + line as i32 * row;
+                canvas.text([left, top], name, TEXT);
+                canvas.text([left + names * sign, top], about, FAINT);
+            }
+            left += (names + abouts) * sign;
+        }
+        break;
+    }
+    canvas.set_font(None);
+}
+
+/// A column of the help.
+struct Column<'a> {
+    lines: &'a [[&'static str; 2]],
+    /// Signs across, the space behind included.
+    names: i32,
+    abouts: i32,
+}
+
+impl<'a> Column<'a> {
+    fn of(lines: &'a [[&'static str; 2]]) -> Self {
+        let longest = |part: usize| lines.iter().map(|line| line[part].len()).max().unwrap_or(0) as i32;
+        Self { lines, names: longest(0) + 2, abouts: longest(1) + 2 }
     }
 }
 
@@ -170,14 +206,13 @@ fn draw_progress(canvas: &mut Canvas<'_>, stage: &str, seconds: f64) {
 }
 
 /// The world's axes, as the camera sees their directions, the nearest last.
-fn draw_axes(app: &Application, canvas: &mut Canvas<'_>) {
+fn draw_axes(app: &Application, canvas: &mut Canvas<'_>, lower: i32) {
     let basis = app.camera.basis();
     let axes = [("X", DVec3::X, 0xff_6b60), ("Y", DVec3::Y, 0x7a_d46a), ("Z", DVec3::Z, 0x6a_a8ff)];
     let mut axes = axes.map(|(name, axis, color)| (name, basis.to_camera(axis), Color::from_u32(color)));
     axes.sort_by(|a, b| a.1.z.total_cmp(&b.1.z));
     let reach = f64::from(canvas.pixels_of(AXIS));
     let room = canvas.pixels_of(AXIS + 4.0 * MARGIN);
-    let lower = canvas.dimensions()[1] as i32 - canvas.pixels_of(8.0 * MARGIN);
     let center = Point::new(room, lower - room);
     let half = canvas.text_size("X").map(|side| side / 2);
     for (name, axis, color) in axes {
