@@ -252,24 +252,13 @@ mod tests {
 
     use super::{Lens, Up, View};
 
-    const PLAIN: View = View {
-        position: None,
-        focal_point: None,
-        direction: None,
-        view_up: None,
-        up: Up::PlusY,
-        azimuth: 0.0,
-        elevation: 0.0,
-        lens: Lens::Perspective(30.0),
-    };
-
     fn cube() -> Bounds {
         Bounds::new(DVec3::new(9.0, -1.0, -1.0), DVec3::new(11.0, 1.0, 1.0))
     }
 
     #[test]
     fn a_drawing_to_scale_maps_units_to_pixels_exactly() {
-        let view = View { lens: Lens::ParallelTo(256.0), ..PLAIN };
+        let view = View { lens: Lens::ParallelTo(256.0), ..View::default() };
         let camera = view.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
         for (x, y) in [(0.0, 0.0), (10.0, -3.0), (-128.0, 128.0)] {
             let seen = camera.project_point(DVec3::new(x, y, 0.5), 256, 256).unwrap();
@@ -283,7 +272,7 @@ mod tests {
             for up in [Up::PlusY, Up::PlusZ, Up::MinusX] {
                 for (azimuth, elevation) in [(0.0, 0.0), (90.0, 0.0), (-30.0, 80.0), (200.0, -120.0)] {
                     for focal_point in [None, Some(DVec3::new(12.0, 0.0, 3.0))] {
-                        let view = View { lens, up, azimuth, elevation, focal_point, ..PLAIN };
+                        let view = View { lens, up, azimuth, elevation, focal_point, ..View::default() };
                         let camera = view.camera(cube().corners().into_iter(), &cube(), 1.5).unwrap();
                         for corner in cube().corners() {
                             let seen = camera.project_point(corner, 300, 200).expect("in front of the eye");
@@ -302,7 +291,8 @@ mod tests {
     fn the_default_view_has_the_up_axis_upward_and_comes_from_the_front_right() {
         for (up, to_eye) in [(Up::PlusY, DVec3::new(1.0, 0.7, 1.0)), (Up::PlusZ, DVec3::new(1.0, -1.0, 0.7))]
         {
-            let camera = View { up, ..PLAIN }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
+            let camera =
+                View { up, ..View::default() }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
             assert!((camera.direction() + to_eye.normalize()).length() < 1e-12);
             assert!(camera.up().dot(up.axis()) > 0.8);
         }
@@ -310,7 +300,7 @@ mod tests {
 
     #[test]
     fn azimuth_goes_to_the_right_and_elevation_upward() {
-        let front = View { direction: Some(DVec3::NEG_Z), ..PLAIN };
+        let front = View { direction: Some(DVec3::NEG_Z), ..View::default() };
         let right =
             View { azimuth: 90.0, ..front }.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
         assert!((right.direction() - DVec3::NEG_X).length() < 1e-12, "{}", right.direction());
@@ -323,7 +313,7 @@ mod tests {
     fn a_given_place_is_kept_and_all_in_front_of_it_is_seen() {
         for lens in [Lens::Perspective(30.0), Lens::Parallel, Lens::ParallelTo(4.0)] {
             let position = Some(DVec3::new(10.0, 0.0, 7.0));
-            let view = View { lens, position, direction: Some(DVec3::NEG_Z), ..PLAIN };
+            let view = View { lens, position, direction: Some(DVec3::NEG_Z), ..View::default() };
             let camera = view.camera(cube().corners().into_iter(), &cube(), 1.0).unwrap();
             assert_eq!(camera.position(), DVec3::new(10.0, 0.0, 7.0));
             for z in [-1.0, 1.0] {
@@ -339,7 +329,9 @@ mod tests {
             for position in [None, Some(DVec3::ZERO)] {
                 for bounds in [Bounds::EMPTY, Bounds::new(DVec3::ONE, DVec3::ONE)] {
                     assert!(
-                        View { lens, position, ..PLAIN }.camera(std::iter::empty(), &bounds, 1.0).is_ok()
+                        View { lens, position, ..View::default() }
+                            .camera(std::iter::empty(), &bounds, 1.0)
+                            .is_ok()
                     );
                 }
             }

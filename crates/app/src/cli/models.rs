@@ -51,6 +51,15 @@ impl ModelFacts {
         )
     }
 
+    /// The lines of a report about a picture: that one, and the remarks.
+    pub(super) fn lines(&self) -> String {
+        let mut text = format!("  {:<12}{}\n", "model", self.text());
+        for remark in &self.remarks {
+            text += &format!("  {:<12}{}\n", "", one_line(remark));
+        }
+        text
+    }
+
     /// For programs.
     pub(super) fn json(&self) -> Value {
         json!({

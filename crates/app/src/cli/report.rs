@@ -36,12 +36,7 @@ fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
     if made.methods != Methods::default() {
         writeln!(text, "  {:<12}fill {coverage}, hidden {hidden}, shade {shading}", "methods")?;
     }
-    for model in &made.models {
-        writeln!(text, "  {:<12}{}", "model", model.text())?;
-        for remark in &model.remarks {
-            writeln!(text, "  {:<12}{}", "", one_line(remark))?;
-        }
-    }
+    made.models.iter().for_each(|model| text.push_str(&model.lines()));
     writeln!(text, "  {:<12}{}", "objects", made.stats.objects)?;
     writeln!(text, "  {:<12}{}", "triangles", counts(&made.stats.triangles))?;
     if made.stats.lines.submitted > 0 {

@@ -149,17 +149,6 @@ mod tests {
     use super::super::{Lens, Up, View};
     use super::hull;
 
-    const PLAIN: View = View {
-        position: None,
-        focal_point: None,
-        direction: None,
-        view_up: None,
-        up: Up::PlusY,
-        azimuth: 0.0,
-        elevation: 0.0,
-        lens: Lens::Perspective(30.0),
-    };
-
     /// A long box beside the origin.
     fn plank() -> Bounds {
         Bounds::new(DVec3::new(9.0, -1.0, -1.0), DVec3::new(19.0, 1.0, 0.5))
@@ -170,7 +159,7 @@ mod tests {
         for lens in [Lens::Perspective(30.0), Lens::Perspective(110.0), Lens::Parallel] {
             for axis in [Up::PlusY, Up::MinusX, Up::PlusZ] {
                 for focal_point in [None, Some(DVec3::new(8.0, 1.0, 2.0))] {
-                    let view = View { lens, focal_point, ..PLAIN };
+                    let view = View { lens, focal_point, ..View::default() };
                     let corners = plank().corners();
                     let table = view.turntable(corners.into_iter(), &plank(), axis, 1.5).unwrap();
                     let mut nearest = f64::INFINITY;
@@ -195,7 +184,7 @@ mod tests {
     #[test]
     fn it_is_as_if_the_model_turned_by_the_right_hand_rule() {
         for (axis, azimuth) in [(Up::PlusY, 0.0), (Up::MinusY, 20.0), (Up::PlusX, 70.0)] {
-            let view = View { azimuth, view_up: Some(DVec3::new(0.1, 1.0, 0.3)), ..PLAIN };
+            let view = View { azimuth, view_up: Some(DVec3::new(0.1, 1.0, 0.3)), ..View::default() };
             let table = view.turntable(plank().corners().into_iter(), &plank(), axis, 1.0).unwrap();
             let focal = plank().center().unwrap();
             let light =
@@ -221,7 +210,7 @@ mod tests {
     #[test]
     fn a_camera_that_is_told_where_to_stand_stays_there_and_nothing_before_it_is_cut_off() {
         let position = Some(DVec3::new(14.0, 0.0, 7.0));
-        let view = View { position, direction: Some(DVec3::NEG_Z), ..PLAIN };
+        let view = View { position, direction: Some(DVec3::NEG_Z), ..View::default() };
         let table = view.turntable(plank().corners().into_iter(), &plank(), Up::PlusY, 1.0).unwrap();
         assert_eq!(Some(table.first().position()), position);
         for n in 0..8 {

@@ -31,12 +31,7 @@ fn write_text(text: &mut String, made: &Made<'_>) -> std::fmt::Result {
         made.args.fps,
         frames as f64 / made.args.fps
     )?;
-    for model in &made.models {
-        writeln!(text, "  {:<12}{}", "model", model.text())?;
-        for remark in &model.remarks {
-            writeln!(text, "  {:<12}{}", "", one_line(remark))?;
-        }
-    }
+    made.models.iter().for_each(|model| text.push_str(&model.lines()));
     writeln!(text, "  {:<12}{}, in the first frame", "triangles", counts(&made.stats.triangles))?;
     if made.stats.lines.submitted > 0 {
         writeln!(text, "  {:<12}{}, in the first frame", "edges", counts(&made.stats.lines))?;
