@@ -26,7 +26,7 @@ impl Viewer {
     ///
     /// When one of them cannot be read.
     pub fn load_now(&mut self, app: &mut Application) -> Result<(), Error> {
-        self.start(app);
+        self.start(app, false);
         match self.loader.wait() {
             Some(Ok(loaded)) => self.install(app, loaded),
             Some(Err(error)) => Err(error),
@@ -37,15 +37,17 @@ impl Viewer {
     /// Begins to read the models. If they are on show already, the camera stays.
     pub(super) fn load(&mut self, app: &Application) {
         self.keeps_camera = self.shown.as_ref() == Some(&self.models);
-        self.start(app);
+        // What is on show already has warmed the memory that it needs.
+        self.start(app, !self.keeps_camera);
     }
 
-    fn start(&mut self, app: &Application) {
+    fn start(&mut self, app: &Application, warms: bool) {
         let aim = Aim {
             view: self.options.view,
             up: self.options.up,
             size: app.size(),
             threads: app.settings.threads,
+            warms,
         };
         self.loader.start(self.models.clone(), self.show, aim, app.waker());
     }

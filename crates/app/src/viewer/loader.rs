@@ -45,6 +45,8 @@ pub(super) struct Aim {
     pub(super) size: [u32; 2],
     /// How many threads draw.
     pub(super) threads: Option<NonZeroUsize>,
+    /// Whether a window waits for the first picture, which is then to be drawn beside it, too.
+    pub(super) warms: bool,
 }
 
 impl Aim {
@@ -56,7 +58,7 @@ impl Aim {
     /// A renderer that has drawn the world once, if it is large.
     fn warm(&self, world: &World, camera: &Camera) -> Option<Renderer> {
         let triangles = world.meshes().map(|(_, mesh)| mesh.triangles().len());
-        if triangles.sum::<usize>() < LARGE {
+        if !self.warms || triangles.sum::<usize>() < LARGE {
             return None;
         }
         let mut renderer = new_renderer(self.threads);
